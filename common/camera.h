@@ -1,0 +1,41 @@
+// A pinhole camera.
+#pragma once
+
+#include "common/ray.h"
+#include "common/scene_description.h"
+
+namespace rt
+{
+
+/// f = unit(target - eye), r = unit(f x up), u = r x f.
+template <std::floating_point Real>
+class Camera
+{
+public:
+    explicit Camera(const CameraDescription& description)
+        : eye(description.eye), width(description.width), height(description.height)
+    {
+        const Vec3<Real> target(description.target), up(description.up);
+        forward = unit(target - eye);
+        right = unit(cross(forward, unit(up)));
+        above = cross(right, forward);
+        const Real degree = Real(3.14159265358979323846264338327950288L) / 180;
+        halfHeight = std::tan(Real(description.verticalFov) * degree / 2);
+    }
+
+    /// The ray through the point (x, y) of the picture: x in [0, width] to the right, y in [0, height] down; the centre
+    /// of pixel (px, py) is (px + 0.5, py + 0.5).
+    Ray<Real> ray(Real x, Real y) const
+    {
+        const Real h = (2 * x / Real(width) - 1) * halfHeight * Real(width) / Real(height);
+        const Real v = (1 - 2 * y / Real(height)) * halfHeight;
+        return {.O = eye, .D = unit(forward + h * right + v * above)};
+    }
+
+private:
+    Vec3<Real> eye, forward, right, above;
+    Real halfHeight;
+    int width, height;
+};
+
+} // namespace rt

@@ -1,0 +1,63 @@
+// What the command lines of all programs share.
+#pragma once
+
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "common/lesson_entry.h"
+
+namespace rt
+{
+
+enum ExitCode
+{
+    exitDone = 0,
+    exitBadInput = 2,
+    exitNoDisplay = 3,
+    exitInterrupted = 130
+};
+
+/// The options that choose what is traced: all programs that trace have them.
+struct TraceOptions
+{
+    std::string scene;
+    std::string size;       ///< "WxH"; empty: the scene's
+    std::string real = "double";
+    int depth = -1;         ///< -1: the scene's
+    std::string fresnel;    ///< empty: the scene's
+    int spp = 1;
+    int threads = 0;
+    std::string pixel;      ///< "x,y"
+    std::string ray;        ///< "ox,oy,oz,dx,dy,dz"
+
+    Precision precision() const;
+    bool hasProbe() const { return !pixel.empty() || !ray.empty(); }
+};
+
+void addTraceOptions(CLI::App& app, TraceOptions& options);
+
+/// Loads the scene and lets the options override it: size, depth, fresnel. A pixel of the file moves with a new size.
+/// Throws SceneError, or CLI::ValidationError when an option makes no sense.
+SceneDescription loadScene(const TraceOptions& options);
+
+/// The pixel or ray that was asked for, or the scene's own pixel. Throws CLI::ValidationError.
+Probe probe(const TraceOptions& options, const SceneDescription& scene);
+
+/// Numbers separated by commas, exactly `count` of them, all finite. Throws CLI::ValidationError naming the option.
+std::vector<double> numbers(const std::string& text, std::size_t count, const std::string& option);
+
+/// Runs a program's work. Every exception becomes one sentence on standard error and an exit code.
+int runMain(CLI::App& app, int argc, char** argv, const std::function<int()>& work);
+
+/// Set by Ctrl-C once watchInterrupt() has been called.
+const std::atomic<bool>& interrupted();
+void watchInterrupt();
+
+/// A progress callback: a bar on standard error if that is a terminal, once the work has lasted half a second.
+std::function<void(double)> progressBar(const std::string& title);
+
+/// The project's root folder: where its scenes and lesson texts are.
+std::string projectFile(const std::string& relative);
+
+} // namespace rt

@@ -1,0 +1,136 @@
+// A lesson as the programs, the viewer and the tests see it: two functions and what it models.
+#pragma once
+
+#include <array>
+#include <string>
+#include <variant>
+
+#include "common/features.h"
+#include "common/ray_tree.h"
+#include "common/render.h"
+#include "common/tree_recorder.h"
+
+namespace rt
+{
+
+enum class Precision
+{
+    floating,
+    doubled,
+    longDouble
+};
+
+const char* name(Precision precision);   ///< "float", "double", "long-double"
+
+/// A ray in world space; the direction need not have unit length.
+struct GivenRay
+{
+    Vec3<double> origin{0, 0, 0}, direction{0, 0, -1};
+};
+
+/// Whose tree is wanted: pixel (x, y) of the scene's picture, or one ray.
+using Probe = std::variant<std::array<int, 2>, GivenRay>;
+
+struct LessonEntry
+{
+    int number;
+    const char* slug;     ///< folder below lessons/
+    const char* title;
+    const char* slides;   ///< headings of the lecture
+    const char* source;   ///< file, relative to the project, whose lines the trees name
+    const char* scene;    ///< file, relative to the project: its first scene
+    FeatureSet models;
+    Image (*render)(const SceneDescription&, Precision, const RenderOptions&);
+    RayTree (*inspect)(const SceneDescription&, Precision, const Probe&);
+};
+
+namespace detail
+{
+
+/// Calls visit with a zero of the scalar type.
+template <class Visit>
+auto withPrecision(Precision precision, Visit&& visit)
+{
+    if (precision == Precision::floating) return visit(0.0F);
+    if (precision == Precision::longDouble) return visit(0.0L);
+    return visit(0.0);
+}
+
+template <std::floating_point Real>
+Ray<Real> probeRay(const Scene<Real>& scene, const Probe& probe)
+{
+    if (const auto* pixel = std::get_if<std::array<int, 2>>(&probe))
+        return scene.camera.ray(Real((*pixel)[0]) + Real(0.5), Real((*pixel)[1]) + Real(0.5));
+    const auto& given = std::get<GivenRay>(probe);
+    return {.O = Vec3<Real>(given.origin), .D = unit(Vec3<Real>(given.direction))};
+}
+
+template <class Tracer, std::floating_point Real>
+void traceInto(RayTree& tree, const Scene<Real>& scene, const Probe& probe)
+{
+    Tracer tracer{scene, TreeRecorder<Real>(tree, scene)};
+    try
+    {
+        tracer.trace(probeRay(scene, probe));
+    }
+    catch (const NotAttempted&)
+    {
+        // The tree as far as it got: an exercise is worth looking at before it is finished.
+    }
+}
+
+inline RayTree emptyTree(int lesson, const SceneDescription& scene, const char* real, const Probe& probe)
+{
+    RayTree tree;
+    tree.lesson = lesson;
+    tree.scene = scene.file;
+    tree.real = real;
+    if (const auto* pixel = std::get_if<std::array<int, 2>>(&probe)) tree.pixel = *pixel;
+    tree.maxDepth = scene.trace.maxDepth;
+    return tree;
+}
+
+} // namespace detail
+
+/// `Lesson::Tracer<Real, Recorder>` in every precision. Lesson also has `static constexpr int number`.
+template <class Lesson>
+Image renderLesson(const SceneDescription& description, Precision precision, const RenderOptions& options)
+{
+    return detail::withPrecision(precision, [&](auto zero) {
+        using Real = decltype(zero);
+        const Scene<Real> scene(description);
+        return render<typename Lesson::template Tracer<Real, NoRecorder>>(scene, description.camera.width,
+                                                                         description.camera.height, options);
+    });
+}
+
+template <class Lesson>
+RayTree inspectLesson(const SceneDescription& description, Precision precision, const Probe& probe)
+{
+    return detail::withPrecision(precision, [&](auto zero) {
+        using Real = decltype(zero);
+        const Scene<Real> scene(description);
+        RayTree tree = detail::emptyTree(Lesson::number, description, name(precision), probe);
+        detail::traceInto<typename Lesson::template Tracer<Real, TreeRecorder<Real>>>(tree, scene, probe);
+        return tree;
+    });
+}
+
+/// An exercise has no template line: it runs in double, with a recorder that may be off.
+template <class Tracer>
+Image renderExercise(const SceneDescription& description, Precision, const RenderOptions& options)
+{
+    const Scene<double> scene(description);
+    return render<Tracer>(scene, description.camera.width, description.camera.height, options);
+}
+
+template <int number, class Tracer>
+RayTree inspectExercise(const SceneDescription& description, Precision, const Probe& probe)
+{
+    const Scene<double> scene(description);
+    RayTree tree = detail::emptyTree(number, description, name(Precision::doubled), probe);
+    detail::traceInto<Tracer>(tree, scene, probe);
+    return tree;
+}
+
+} // namespace rt

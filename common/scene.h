@@ -1,0 +1,228 @@
+// A scene in the tracer's scalar type, and the two questions that every lesson asks it: intersect and occluded.
+#pragma once
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "common/camera.h"
+#include "common/hit.h"
+#include "common/light.h"
+#include "common/scene_description.h"
+#include "common/shapes.h"
+
+namespace rt
+{
+
+template <std::floating_point Real>
+class Scene
+{
+public:
+    Camera<Real> camera;
+    TraceSettings settings;
+    Vec3<Real> sky;
+    std::vector<Material<Real>> materials;   ///< the described ones, then one for each checker
+    std::vector<Sphere<Real>> spheres;
+    std::vector<Plane<Real>> planes;
+    std::vector<Triangle<Real>> triangles;
+    std::vector<Light<Real>> lights;
+
+    /// Converts each number once and normalises directions. Throws std::range_error if a number does not fit Real.
+    explicit Scene(const SceneDescription& description);
+
+    /// The slides' IntersectScene: the nearest hit with t > 0, or nothing. A ray never meets again the plane or triangle
+    /// that it leaves, and the sphere only at its far side. Equal distances: the lowest primitive id wins. `shapes`
+    /// supplies the formulas; only exercise 01 passes its own.
+    template <class Formulas = Shapes<Real>>
+    std::optional<Hit<Real>> intersect(const Ray<Real>& ray, const Formulas& shapes = {}) const;
+
+    /// The slides' !IsVisible: is there anything on the open segment from I towards L (unit), shorter than `distance`?
+    template <class Formulas = Shapes<Real>>
+    bool occluded(const Point<Real>& I, const Vec3<Real>& L, Real distance, const Formulas& shapes = {}) const;
+
+    /// "sphere0", "plane1", "triangle2": kind, and order in the file among its kind.
+    std::string primitiveName(PrimitiveId id) const;
+
+private:
+    template <class Visit, class Formulas>
+    void visitDistances(const Ray<Real>& ray, const Formulas& shapes, Visit&& visit) const;
+
+    Hit<Real> hitAt(const Ray<Real>& ray, Real t, PrimitiveId id) const;
+
+    Hit<Real> finish(const Ray<Real>& ray, Real t, PrimitiveId id, const Vec3<Real>& I, const Vec3<Real>& outward,
+                     int material) const;
+
+    PrimitiveId firstPlane() const { return PrimitiveId(spheres.size()); }
+    PrimitiveId firstTriangle() const { return PrimitiveId(spheres.size() + planes.size()); }
+};
+
+/// `value` in Real; throws std::range_error, naming `what`, if it overflows, or vanishes though it was not zero.
+template <std::floating_point Real>
+Real narrow(double value, const std::string& what)
+{
+    const Real narrowed = Real(value);
+    if (!std::isfinite(narrowed) || (narrowed == 0 && value != 0))
+        throw std::range_error(what + " = " + std::to_string(value) + " does not fit the tracer's scalar type");
+    return narrowed;
+}
+
+template <std::floating_point Real>
+Vec3<Real> narrow(const Vec3<double>& v, const std::string& what)
+{
+    const Vec3<Real> narrowed(v);
+    if (!isFinite(narrowed)) throw std::range_error(what + " does not fit the tracer's scalar type");
+    return narrowed;
+}
+
+template <std::floating_point Real>
+Scene<Real>::Scene(const SceneDescription& description)
+    : camera(description.camera), settings(description.trace), sky(narrow<Real>(description.sky.color, "sky.color"))
+{
+    for (const auto& m : description.materials)
+        materials.push_back({m.name, Vec3<Real>(m.color), Real(m.mirror), Real(m.ior), Real(m.iorOutside),
+                             Real(m.glossy), narrow<Real>(m.exponent, "materials." + m.name + ".exponent")});
+    for (const auto& s : description.spheres)
+    {
+        const std::string name = "sphere" + std::to_string(spheres.size());
+        spheres.push_back({narrow<Real>(s.center, name + ".center"), narrow<Real>(s.radius, name + ".radius"),
+                           s.material});
+    }
+    for (const auto& p : description.planes)
+    {
+        const std::string name = "plane" + std::to_string(planes.size());
+        Plane<Real> plane{.P = narrow<Real>(p.point, name + ".point"),
+                          .N = unit(Vec3<Real>(unit(p.normal))),
+                          .material = p.material};
+        if (p.hasChecker)
+        {
+            plane.checkerMaterial = int(materials.size());
+            plane.checkerSize = narrow<Real>(p.checkerSize, name + ".checker.size");
+            materials.push_back(materials[std::size_t(p.material)]);
+            materials.back().color = Vec3<Real>(p.checkerColor);
+
+            // The axes are the two world axes that the plane faces least, laid into the plane: x and z for a floor.
+            const Vec3<Real> N = plane.N, size = abs(N);
+            const int main = size.y >= size.x && size.y >= size.z ? 1 : (size.x >= size.z ? 0 : 2);
+            Vec3<Real> U(0), V(0);
+            U[main == 0 ? 1 : 0] = 1;
+            V[main == 2 ? 1 : 2] = 1;
+            plane.U = unit(U - dot(U, N) * N);
+            plane.V = unit(cross(N, plane.U));
+            if (dot(plane.V, V) < 0) plane.V = -plane.V;
+        }
+        planes.push_back(plane);
+    }
+    for (const auto& t : description.triangles)
+    {
+        const std::string name = "triangle" + std::to_string(triangles.size()) + ".vertices";
+        const auto [a, b, c] = t.vertices;
+        triangles.push_back({narrow<Real>(a, name), narrow<Real>(b, name), narrow<Real>(c, name),
+                             Vec3<Real>(unit(cross(unit(b - a), unit(c - a)))), t.material});
+    }
+    for (const auto& l : description.lights)
+    {
+        const std::string name = "light" + std::to_string(lights.size());
+        lights.push_back({narrow<Real>(l.position, name + ".position"), narrow<Real>(l.color, name + ".color")});
+    }
+}
+
+/// Calls visit(id, t) for each primitive that the ray meets, in the order of ids, until visit returns true.
+template <std::floating_point Real>
+template <class Visit, class Formulas>
+void Scene<Real>::visitDistances(const Ray<Real>& ray, const Formulas& shapes, Visit&& visit) const
+{
+    PrimitiveId id = 0;
+    for (const auto& sphere : spheres)
+    {
+        const auto t = id == ray.from ? Shapes<Real>::leaveSphere(ray, sphere) : shapes.intersectSphere(ray, sphere);
+        if (t && visit(id, *t)) return;
+        ++id;
+    }
+    for (const auto& plane : planes)
+    {
+        if (id != ray.from)
+            if (const auto t = shapes.intersectPlane(ray, plane))
+                if (visit(id, *t)) return;
+        ++id;
+    }
+    for (const auto& triangle : triangles)
+    {
+        if (id != ray.from)
+            if (const auto t = Shapes<Real>::intersectTriangle(ray, triangle))
+                if (visit(id, *t)) return;
+        ++id;
+    }
+}
+
+template <std::floating_point Real>
+template <class Formulas>
+std::optional<Hit<Real>> Scene<Real>::intersect(const Ray<Real>& ray, const Formulas& shapes) const
+{
+    Real nearest = infinity<Real>;
+    PrimitiveId id = noPrimitive;
+    visitDistances(ray, shapes, [&](PrimitiveId candidate, Real t) {
+        if (t < nearest)
+        {
+            nearest = t;
+            id = candidate;
+        }
+        return false;
+    });
+    if (id == noPrimitive) return std::nullopt;
+    return hitAt(ray, nearest, id);
+}
+
+template <std::floating_point Real>
+template <class Formulas>
+bool Scene<Real>::occluded(const Point<Real>& I, const Vec3<Real>& L, Real distance, const Formulas& shapes) const
+{
+    bool blocked = false;
+    visitDistances(Ray<Real>{.O = I, .D = L, .from = I.on}, shapes,
+                   [&](PrimitiveId, Real t) { return blocked = t < distance; });
+    return blocked;
+}
+
+/// Point, normal and material of the one hit that counts. Points are put back onto their surface, so that their error
+/// does not grow with the distance that the ray came.
+template <std::floating_point Real>
+Hit<Real> Scene<Real>::hitAt(const Ray<Real>& ray, Real t, PrimitiveId id) const
+{
+    const Vec3<Real> P = ray.O + t * ray.D;
+    if (id < firstPlane())
+    {
+        const auto& sphere = spheres[std::size_t(id)];
+        const Vec3<Real> N = unit(P - sphere.C);
+        return finish(ray, t, id, sphere.C + sphere.r * N, N, sphere.material);
+    }
+    if (id < firstTriangle())
+    {
+        const auto& plane = planes[std::size_t(id - firstPlane())];
+        const Vec3<Real> I = P - dot(P - plane.P, plane.N) * plane.N;
+        return finish(ray, t, id, I, plane.N, plane.materialAt(I));
+    }
+    const auto& triangle = triangles[std::size_t(id - firstTriangle())];
+    return finish(ray, t, id, P - dot(P - triangle.a, triangle.N) * triangle.N, triangle.N, triangle.material);
+}
+
+/// Here, and nowhere else, the normal is turned against the ray, and the media on its two sides are told apart.
+template <std::floating_point Real>
+Hit<Real> Scene<Real>::finish(const Ray<Real>& ray, Real t, PrimitiveId id, const Vec3<Real>& I,
+                              const Vec3<Real>& outward, int material) const
+{
+    const auto& mat = materials[std::size_t(material)];
+    const bool inside = dot(ray.D, outward) > 0;
+    const Real within = mat.isDielectric() ? mat.ior : 1, around = mat.isDielectric() ? mat.iorOutside : 1;
+    return {{I, id}, inside ? -outward : outward, mat, t, inside, inside ? within : around, inside ? around : within};
+}
+
+template <std::floating_point Real>
+std::string Scene<Real>::primitiveName(PrimitiveId id) const
+{
+    if (id < 0) return "nothing";
+    if (id < firstPlane()) return "sphere" + std::to_string(id);
+    if (id < firstTriangle()) return "plane" + std::to_string(id - firstPlane());
+    return "triangle" + std::to_string(id - firstTriangle());
+}
+
+} // namespace rt

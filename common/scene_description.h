@@ -1,0 +1,107 @@
+// A scene as its file states it: plain data in double, nothing derived. `Scene<Real>` is what rays meet.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "common/light.h"
+#include "common/material.h"
+
+namespace rt
+{
+
+struct CameraDescription
+{
+    Vec3<double> eye{0, 0, 0};
+    Vec3<double> target{0, 0, -1};
+    Vec3<double> up{0, 1, 0};
+    double verticalFov = 40;                ///< degrees, in (0, 180)
+    int width = 640, height = 480;          ///< pixels
+    int pixelX = -1, pixelY = -1;           ///< the pixel worth clicking; -1: the middle of the picture
+};
+
+/// What a ray that may not be traced returns.
+enum class AtCap
+{
+    black,
+    sky,
+    direct
+};
+
+enum class FresnelModel
+{
+    exact,
+    schlick,
+    none   ///< everything is transmitted: the idealised glass of lesson 05
+};
+
+enum class ShadowThroughGlass
+{
+    block,
+    tint
+};
+
+/// The policies of tracing.
+struct TraceSettings
+{
+    int maxDepth = 8;      ///< rays of this depth are traced, deeper ones are not; the camera ray has depth 0
+    double cutoff = 0;     ///< rays that could add less than this to a pixel are not traced
+    AtCap atCap = AtCap::black;
+    FresnelModel fresnel = FresnelModel::exact;
+    ShadowThroughGlass shadowThroughGlass = ShadowThroughGlass::block;
+};
+
+struct SkyDescription
+{
+    bool present = false;
+    Vec3<double> color{0, 0, 0};
+};
+
+struct SphereDescription
+{
+    Vec3<double> center{0, 0, 0};
+    double radius = 1;
+    int material = 0;
+};
+
+struct PlaneDescription
+{
+    Vec3<double> point{0, 0, 0};
+    Vec3<double> normal{0, 1, 0};
+    int material = 0;
+    bool hasChecker = false;
+    Vec3<double> checkerColor{0, 0, 0};
+    double checkerSize = 1;
+};
+
+struct TriangleDescription
+{
+    std::array<Vec3<double>, 3> vertices{};
+    int material = 0;
+};
+
+struct SceneDescription
+{
+    std::string file;    ///< where it came from, for messages and trees
+    std::string title;
+    CameraDescription camera;
+    TraceSettings trace;
+    SkyDescription sky;
+    std::vector<Material<double>> materials;
+    std::vector<SphereDescription> spheres;
+    std::vector<PlaneDescription> planes;
+    std::vector<TriangleDescription> triangles;
+    std::vector<Light<double>> lights;
+    std::vector<std::string> warnings;   ///< what was left out on reading, each as `file:line:column: why`
+
+    /// The pixel worth clicking, kept inside the picture.
+    std::array<int, 2> pixel() const
+    {
+        return {camera.pixelX < 0 ? camera.width / 2 : std::min(camera.pixelX, camera.width - 1),
+                camera.pixelY < 0 ? camera.height / 2 : std::min(camera.pixelY, camera.height - 1)};
+    }
+};
+
+} // namespace rt

@@ -1,0 +1,149 @@
+// Records a ray tree while a lesson traces.
+#pragma once
+
+#include "common/ray_tree.h"
+#include "common/recorder.h"
+#include "common/scene.h"
+
+namespace rt
+{
+
+/// Total: whatever a lesson or a student's exercise tells it, in whatever order, gives a tree and never a crash. A ray
+/// whose depth does not follow from an open node becomes an orphan. A recorder without a tree records nothing.
+template <std::floating_point Real>
+class TreeRecorder
+{
+public:
+    TreeRecorder() = default;
+    TreeRecorder(RayTree& recorded, const Scene<Real>& from) : tree(&recorded), scene(&from) {}
+
+    void ray(const Ray<Real>& ray, const std::optional<Hit<Real>>& hit, SourceLine where = SourceLine::current())
+    {
+        if (!tree) return;
+        closeDownTo(ray.depth);
+        RayTree::Node node;
+        node.id = int(tree->nodes.size());
+        node.kind = ray.kind;
+        node.depth = ray.depth;
+        node.origin = Vec3<double>(ray.O);
+        node.direction = Vec3<double>(ray.D);
+        node.weight = double(ray.weight);
+        node.line = int(where.line());
+        if (const auto* parent = openNode(); parent && parent->depth == ray.depth - 1)
+        {
+            node.parent = parent->id;
+            node.throughput = passedOn(*parent, ray.weight);
+        }
+        else
+            node.orphan = node.id != 0 || ray.depth != 0;
+        if (hit)
+        {
+            node.hit = {double(hit->t), Vec3<double>(hit->I), Vec3<double>(hit->outwardNormal()),
+                        scene->primitiveName(hit->I.on), hit->mat.name, hit->inside, Vec3<double>(hit->mat.color)};
+            if (hit->mat.isDielectric())
+            {
+                node.n1 = double(hit->n1);
+                node.n2 = double(hit->n2);
+            }
+            node.end = largestChannel(node.hit->color) == 0 ? End::black : End::absorbed;
+        }
+        else
+        {
+            node.end = End::miss;
+            node.returnLine = node.line;
+        }
+        if (auto* parent = openNode(); parent && node.parent == parent->id) parent->end = End::none;
+        tree->nodes.push_back(node);
+        open.push_back({node.id, false});
+    }
+
+    void shadow(const Light<Real>& light, const Point<Real>& I, const Vec3<Real>& L, Real distance, bool visible,
+                SourceLine where = SourceLine::current())
+    {
+        if (!tree || open.empty()) return;
+        RayTree::Shadow shadow;
+        shadow.node = open.back().node;
+        while (shadow.light < int(scene->lights.size()) && &scene->lights[std::size_t(shadow.light)] != &light)
+            ++shadow.light;
+        shadow.direction = Vec3<double>(L);
+        shadow.distance = double(distance);
+        shadow.visible = visible;
+        shadow.line = int(where.line());
+        if (!visible)
+            if (const auto hit = scene->intersect(Ray<Real>{.O = I, .D = L, .from = I.on}))
+                shadow.blocker = {scene->primitiveName(hit->I.on), Vec3<double>(hit->I)};
+        tree->shadows.push_back(shadow);
+    }
+
+    void own(const Vec3<Real>& color)
+    {
+        if (!tree || open.empty()) return;
+        open.back().hasOwn = true;
+        setOwn(tree->nodes[std::size_t(open.back().node)], color);
+    }
+
+    void capped(const Ray<Real>& ray, SourceLine where = SourceLine::current())
+    {
+        capped(ray, Vec3<Real>(0), where);
+    }
+
+    void capped(const Ray<Real>& ray, const Vec3<Real>& color, SourceLine where = SourceLine::current())
+    {
+        if (!tree) return;
+        closeDownTo(ray.depth);
+        auto* parent = openNode();
+        if (!parent) return;
+        if (parent->end != End::none) parent->end = End::cap;
+        tree->capped.push_back({parent->id, ray.kind, Vec3<double>(ray.D), double(ray.weight), Vec3<double>(color),
+                                End::cap, int(where.line())});
+        parent->contribution += passedOn(*parent, ray.weight) * Vec3<double>(color);
+    }
+
+    void color(const Vec3<Real>& color, SourceLine where = SourceLine::current())
+    {
+        if (!tree) return;
+        // A miss returns before it can say a colour: the next colour is its parent's.
+        while (!open.empty() && !tree->nodes[std::size_t(open.back().node)].hit) open.pop_back();
+        if (open.empty()) return;
+        const Open last = open.back();
+        auto& node = tree->nodes[std::size_t(last.node)];
+        node.radiance = Vec3<double>(color);
+        node.returnLine = int(where.line());
+        if (!last.hasOwn && node.end != End::none && !hasStandIns(node.id)) setOwn(node, color);
+        open.pop_back();
+    }
+
+private:
+    struct Open
+    {
+        int node;
+        bool hasOwn;
+    };
+
+    RayTree* tree = nullptr;
+    const Scene<Real>* scene = nullptr;
+    std::vector<Open> open;   // the nodes from the root to the current one
+
+    RayTree::Node* openNode() { return open.empty() ? nullptr : &tree->nodes[std::size_t(open.back().node)]; }
+
+    /// A ray of this depth is about to begin: deeper and equally deep ones are over.
+    void closeDownTo(int depth)
+    {
+        while (!open.empty() && openNode()->depth >= depth) open.pop_back();
+    }
+
+    static Vec3<double> passedOn(const RayTree::Node& node, Real weight)
+    {
+        return node.throughput * double(weight) * (node.hit ? node.hit->color : Vec3<double>(1));
+    }
+
+    static void setOwn(RayTree::Node& node, const Vec3<Real>& color)
+    {
+        node.own = Vec3<double>(color);
+        node.contribution += node.throughput * node.own;
+    }
+
+    bool hasStandIns(int node) const { return !tree->capped.empty() && tree->capped.back().node == node; }
+};
+
+} // namespace rt

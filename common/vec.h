@@ -1,0 +1,56 @@
+// Vectors and colours: GLM's, in the scalar type that the tracer runs in.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <limits>
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#ifdef __FAST_MATH__
+#error "raytree must not be built with -ffast-math: NaN, infinity and the order of operations are part of its results"
+#endif
+
+namespace rt
+{
+
+/// A point, a direction or a linear RGB colour. Right-handed, y up; lengths in scene units.
+template <std::floating_point Real>
+using Vec3 = glm::vec<3, Real, glm::defaultp>;
+
+template <std::floating_point Real>
+inline constexpr Real infinity = std::numeric_limits<Real>::infinity();
+
+/// The unit vector along v; the zero vector stays zero. glm::normalize gives NaN for a zero vector, and zero for vectors
+/// so long that their square overflows; here v is first scaled by a power of two, which costs no precision.
+template <std::floating_point Real>
+Vec3<Real> unit(const Vec3<Real>& v)
+{
+    using Limits = std::numeric_limits<Real>;
+    const Real squared = dot(v, v);
+    if (squared >= Limits::min() / Limits::epsilon() && squared <= Limits::max()) return v / std::sqrt(squared);
+
+    const Real largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    if (!(largest > 0 && largest <= Limits::max())) return v;
+    const int exponent = -std::ilogb(largest);
+    const Vec3<Real> scaled(std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent));
+    return scaled / std::sqrt(dot(scaled, scaled));
+}
+
+/// The largest of the three channels.
+template <std::floating_point Real>
+Real largestChannel(const Vec3<Real>& color)
+{
+    return std::max({color.x, color.y, color.z});
+}
+
+/// True if no component is NaN or infinite.
+template <std::floating_point Real>
+bool isFinite(const Vec3<Real>& v)
+{
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+} // namespace rt

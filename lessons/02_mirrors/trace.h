@@ -1,0 +1,84 @@
+// Lesson 02, mirrors. Lecture: "Reflected Vector", "Light Transport", pseudocode second version.
+#pragma once
+
+#include "common/lesson.h"
+
+namespace rt::lesson02
+{
+
+template <std::floating_point Real, RayRecorder<Real> Recorder = NoRecorder>
+struct Tracer
+{
+    using vec3 = Vec3<Real>;
+    using Color = Vec3<Real>;
+    using Ray = rt::Ray<Real>;
+    using Point = rt::Point<Real>;
+    using Light = rt::Light<Real>;
+
+    const Scene<Real>& scene;
+    Recorder rec = {};
+    const int MAXDEPTH = scene.settings.maxDepth;
+
+    // What does this ray see? A mirror shows what the reflected ray sees: no shadow ray, no N.L, but absorption.
+    Color trace(const Ray& ray)
+    {
+        if (ray.depth > MAXDEPTH)
+        {
+            rec.capped(ray);
+            return BLACK;
+        }
+        const auto hit = scene.intersect(ray);
+        rec.ray(ray, hit);
+        if (!hit) return BLACK;
+        const auto& [I, N, mat] = *hit;
+
+        Color color = BLACK;
+        // SOLUTION 02-mirror
+        if (mat.isMirror())
+            color = mat.color * trace(ray.spawn(reflected, I, reflect(ray.D, N)));
+        else
+            color = mat.color * directIllumination(I, N);
+        // END
+
+        rec.color(color);
+        return color;
+    }
+
+    // Angle of incidence equals angle of reflection: D without its part along N, and that part turned round.
+    static vec3 reflect(const vec3& D, const vec3& N)
+    {
+        // SOLUTION 02-reflect
+        const vec3 A = dot(D, N) * N;
+        const vec3 B = D - A;
+        return B - A; // R = D - 2(D.N)N
+        // END
+    }
+
+    // The light that arrives at I: each lamp that is visible from there, weakened by angle and distance.
+    Color directIllumination(const Point& I, const vec3& N)
+    {
+        Color direct = BLACK;
+        for (const Light& light : scene.lights)
+        {
+            vec3 L = light.position - I;
+            const Real dist = length(L);
+            if (dist * dist == 0) continue; // the lamp sits on the point: there is no direction to it
+            L *= 1 / dist;
+            if (!isVisible(I, L, dist, light)) continue;
+            const Real attenuation = 1 / (dist * dist);
+            direct += light.color * positive(dot(N, L)) * attenuation;
+        }
+        return direct;
+    }
+
+    // Is the way from I along L free until the lamp, and no further?
+    bool isVisible(const Point& I, const vec3& L, Real dist, const Light& light)
+    {
+        bool visible = false;
+        visible = !scene.occluded(I, L, dist);
+        rec.shadow(light, I, L, dist, visible);
+        return visible;
+    }
+};
+
+} // namespace rt::lesson02

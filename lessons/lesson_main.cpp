@@ -1,0 +1,141 @@
+#include "lessons/lesson_main.h"
+
+#include <iostream>
+
+#include <fmt/format.h>
+
+#include "common/cli.h"
+#include "common/explain.h"
+#include "common/scene_file.h"
+#include "lessons/registry.h"
+
+namespace rt
+{
+
+namespace
+{
+
+struct LessonOptions : TraceOptions
+{
+    std::string out;
+    std::string tree;
+    bool explain = false;
+    bool force = false;
+
+    bool wantsTree() const { return hasProbe() || !tree.empty() || explain; }
+};
+
+void addLessonOptions(CLI::App& app, LessonOptions& options)
+{
+    addTraceOptions(app, options);
+    app.add_option("--out", options.out, "where the picture goes: .png, .ppm (8-bit sRGB), .exr or .hdr (linear)")
+        ->type_name("FILE");
+    app.add_option("--tree", options.tree, "print the ray tree of --pixel, --ray or the scene's own pixel")
+        ->check(CLI::IsMember({"text", "json"}));
+    app.add_flag("--explain", options.explain, "print each formula of that tree with its numbers");
+    app.add_flag("--force", options.force, "trace a scene that needs a later lesson, as far as this one can");
+}
+
+void footer(CLI::App& app, const std::string& command)
+{
+    app.footer(fmt::format("Examples:\n"
+                           "  {0}                                       its own first scene, to {1}.png\n"
+                           "  {0} scene.toml --size 1024x768 --out picture.exr\n"
+                           "  {0} --pixel 320,240 --tree text           why has this pixel its colour?\n"
+                           "  {0} --ray 0,1,5,0,0,-1 --tree json        one ray, for other programs\n"
+                           "Exit codes: 0 done, 2 bad input or usage, 130 interrupted.",
+                           command, app.get_name()));
+}
+
+/// Throws SceneError if the lesson does not model all that the scene requires, unless forced: then it only says so.
+void checkModels(const LessonEntry& lesson, const SceneDescription& scene, bool force)
+{
+    for (const auto& [feature, because] : missing(required(scene), lesson.models))
+    {
+        const auto what = fmt::format("{}: {}: {} comes with {}; lesson {:02} models {} only", scene.file, because,
+                                      name(feature), lessonThatBrings(feature), lesson.number, lesson.title);
+        if (!force) throw SceneError(what + " (--force traces what it can)");
+        std::cerr << what << "; traced without\n";
+    }
+}
+
+void printTree(const LessonEntry& lesson, const SceneDescription& scene, const LessonOptions& options)
+{
+    const RayTree tree = lesson.inspect(scene, options.precision(), probe(options, scene));
+    if (options.tree == "json") std::cout << toJson(tree);
+    if (options.tree == "text" || (options.tree.empty() && !options.explain)) std::cout << toText(tree);
+    if (options.explain) (options.tree == "json" ? std::cerr : std::cout) << explain(tree, scene);
+}
+
+int renderPicture(const LessonEntry& lesson, const SceneDescription& scene, const LessonOptions& options,
+                  const std::string& path)
+{
+    checkWritable(path);
+    watchInterrupt();
+    const RenderOptions render{.spp = options.spp,
+                               .threads = options.threads,
+                               .progress = progressBar(fmt::format("lesson {:02}", lesson.number)),
+                               .stop = &interrupted()};
+    const Image image = lesson.render(scene, options.precision(), render);
+    if (interrupted())
+    {
+        std::cerr << "interrupted: nothing was written\n";
+        return exitInterrupted;
+    }
+    writeImage(image, path);
+    std::cerr << fmt::format("{}: {}x{} pixels, lesson {:02} {}, {}\n", path, image.width, image.height, lesson.number,
+                             lesson.title, options.real);
+    return exitDone;
+}
+
+int run(const LessonEntry& lesson, const SceneDescription& scene, const LessonOptions& options, const std::string& command)
+{
+    checkModels(lesson, scene, options.force);
+    if (options.wantsTree()) printTree(lesson, scene, options);
+    if (options.wantsTree() && options.out.empty()) return exitDone;
+    return renderPicture(lesson, scene, options, options.out.empty() ? command + ".png" : options.out);
+}
+
+int programMain(const LessonEntry& lesson, const std::string& program, const char* what, int argc, char** argv)
+{
+    CLI::App app(fmt::format("{} {:02}, {}. Lecture: {}.", what, lesson.number, lesson.title, lesson.slides), program);
+    LessonOptions options;
+    addLessonOptions(app, options);
+    footer(app, program);
+    return runMain(app, argc, argv, [&] {
+        if (options.scene.empty()) options.scene = projectFile(lesson.scene);
+        return run(lesson, loadScene(options), options, program);
+    });
+}
+
+} // namespace
+
+int lessonMain(const LessonEntry& lesson, int argc, char** argv)
+{
+    return programMain(lesson, fmt::format("lesson{:02}", lesson.number), "Lesson", argc, argv);
+}
+
+int exerciseMain(const LessonEntry& exercise, int argc, char** argv)
+{
+    return programMain(exercise, fmt::format("exercise{:02}", exercise.number), "Exercise", argc, argv);
+}
+
+int renderMain(int argc, char** argv)
+{
+    CLI::App app("Renders a scene with the first lesson that models all that it requires.", "render");
+    LessonOptions options;
+    addLessonOptions(app, options);
+    footer(app, "render");
+    app.get_option("scene")->required()->description("scene file (TOML)");
+    return runMain(app, argc, argv, [&] {
+        const auto scene = loadScene(options);
+        const auto* lesson = smallestLesson(scene);
+        if (!lesson && !options.force) checkModels(*lessons().back(), scene, false);
+        if (!lesson) lesson = lessons().back();
+        std::cerr << fmt::format("lesson {:02} ({}) models all that {} requires\n", lesson->number, lesson->title,
+                                 scene.file);
+        return run(*lesson, scene, options, "render");
+    });
+}
+
+} // namespace rt

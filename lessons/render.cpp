@@ -1,0 +1,6 @@
+#include "lessons/lesson_main.h"
+
+int main(int argc, char** argv)
+{
+    return rt::renderMain(argc, argv);
+}

@@ -1,0 +1,101 @@
+#!/usr/bin/env python3
+"""What the course promises about its own sources: who includes whom, small steps from lesson to lesson, no epsilon."""
+import difflib
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+LESSONS = sorted(ROOT.glob("lessons/[0-9][0-9]_*"))
+problems = []
+
+
+def sources(folder):
+    return sorted(p for ending in ("h", "cpp") for p in (ROOT / folder).rglob(f"*.{ending}"))
+
+
+def includes(path):
+    return re.findall(r'^#include ["<]([^">]+)[">]', path.read_text(), re.M)
+
+
+def check_arrows():
+    """Core headers need glm and the standard library; only viz/ needs VTK; nothing needs tests/; a lesson only lesson.h."""
+    core = ["vec", "ray", "hit", "material", "light", "shapes", "camera", "scene", "scene_description", "recorder", "todo",
+            "lesson", "exercise", "tree_recorder", "ray_tree"]
+    for name in core:
+        for include in includes(ROOT / f"common/{name}.h"):
+            own = include.startswith("common/") and pathlib.Path(include).stem in core
+            if not (own or include.startswith("glm/") or "." not in include):
+                problems.append(f"common/{name}.h includes {include}: the core needs glm and the standard library only")
+    only = {"vtk": ["viz"], "OpenImageIO/": ["common/image.", "common/sky_image."], "tbb/": ["common/render.h"],
+            "toml++/": ["common/scene_file.cpp", "common/scene_reader.h", "common/scene_writer.cpp"],
+            "nlohmann/": ["common/ray_tree_json.cpp", "viz"], "CLI/": ["common/cli.", "viz"],
+            "lessons/": ["lessons", "viz", "tests"], "viz/": ["viz", "tests/viz"], "tests/": ["tests"]}
+    for folder in ("common", "lessons", "viz", "tests"):
+        for path in sources(folder):
+            for include in includes(path):
+                where = str(path.relative_to(ROOT))
+                for library, places in only.items():
+                    if include.startswith(library) and not any(where.startswith(p) for p in places + ["tests"] * (library not in ("viz/",))):
+                        problems.append(f"{where} includes {include}: only {', '.join(places)} may")
+    for lesson in LESSONS:
+        if includes(lesson / "trace.h") != ["common/lesson.h"]:
+            problems.append(f"{lesson.name}/trace.h may include common/lesson.h and nothing else")
+
+
+def plain(lesson):
+    """The lesson's text without marks for the exercise and without its number."""
+    text = (lesson / "trace.h").read_text()
+    text = re.sub(r"^ *// (SOLUTION|END|EXERCISE).*\n", "", text, flags=re.M)
+    text = re.sub(r"^// Lesson .*\n", "", text)
+    return re.sub(r"lesson\d\d", "lessonNN", text)
+
+
+def functions(text):
+    """Name -> text of each member function, the comment above it not included."""
+    found = re.findall(r"^    ((?:static )?[\w:<>& ]+ (\w+)\([^;{]*\)(?: const)?\n    \{\n(?:.*\n)*?    \}\n)", text, re.M)
+    return {name: body for body, name in found}
+
+
+def check_small_steps():
+    """Neighbouring lessons differ by at most 40 lines; a function of the same name has the same text, unless the later
+    lesson's README says "changes `name`"."""
+    for before, after in zip(LESSONS, LESSONS[1:]):
+        if not (before / "trace.h").exists() or not (after / "trace.h").exists():
+            continue
+        a, b = plain(before), plain(after)
+        changed = [line for line in difflib.ndiff(a.splitlines(), b.splitlines()) if line[0] in "+-" and line[2:].strip()]
+        if len(changed) > 40:
+            problems.append(f"{after.name}/trace.h differs from {before.name} by {len(changed)} lines, at most 40 may")
+        earlier, later = functions(a), functions(b)
+        if "trace" not in later:
+            problems.append(f"{after.name}/trace.h: no function trace was found")
+        readme = (after / "README.md").read_text()
+        for name in sorted(earlier.keys() & later.keys()):
+            if earlier[name] != later[name] and f"changes `{name}`" not in readme:
+                problems.append(f"{after.name}/README.md does not say that the lesson changes `{name}`")
+
+
+def check_no_epsilon():
+    for path in sources("common") + [lesson / "trace.h" for lesson in LESSONS if "10_" not in lesson.name]:
+        for number, line in enumerate(path.read_text().splitlines(), 1):
+            code = line.split("//")[0]
+            if re.search(r"\b(1(\.0*)?e-\d+|0\.0{2,}\d+)[fFL]?\b", code):
+                problems.append(f"{path.relative_to(ROOT)}:{number}: a constant like an epsilon: {code.strip()}")
+
+
+def check_lessons_are_complete():
+    for lesson in LESSONS:
+        for name in ("README.md", "trace.h", "main.cpp", "scenes"):
+            if not (lesson / name).exists():
+                problems.append(f"{lesson.name}/{name} is missing")
+        if len(list(lesson.glob("scenes/*.toml"))) < 2:
+            problems.append(f"{lesson.name} has fewer than two scenes")
+
+
+for check in (check_arrows, check_small_steps, check_no_epsilon, check_lessons_are_complete):
+    check()
+for problem in problems:
+    print(problem, file=sys.stderr)
+print(f"{len(LESSONS)} lessons checked, {len(problems)} problems")
+sys.exit(bool(problems))

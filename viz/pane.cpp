@@ -1,0 +1,53 @@
+#include "viz/pane.h"
+
+#include <vtkContextItem.h>
+#include <vtkContextScene.h>
+#include <vtkObjectFactory.h>
+
+namespace rt::viz
+{
+
+namespace
+{
+
+class PaintItem : public vtkContextItem
+{
+public:
+    static PaintItem* New();
+    vtkTypeMacro(PaintItem, vtkContextItem);
+
+    bool Paint(vtkContext2D* painter) override
+    {
+        if (paint) paint(painter);
+        return true;
+    }
+
+    std::function<void(vtkContext2D*)> paint;
+};
+
+vtkStandardNewMacro(PaintItem);
+
+} // namespace
+
+Pane::Pane(Controller& watched) : controller(watched)
+{
+    vtkNew<PaintItem> item;
+    item->paint = [this](vtkContext2D* painter) {
+        Canvas canvas(painter, scale);
+        paint(canvas);
+    };
+    actor->GetScene()->AddItem(item);
+    view->AddActor(actor);
+    view->SetBackground(color::panel.r / 255.0, color::panel.g / 255.0, color::panel.b / 255.0);
+}
+
+void Pane::place(const Rect& rect, int windowWidth, int windowHeight, double contentScale)
+{
+    area = rect;
+    scale = contentScale;
+    view->SetViewport(double(rect.x) / windowWidth, double(rect.y) / windowHeight,
+                      double(rect.x + rect.width) / windowWidth, double(rect.y + rect.height) / windowHeight);
+    placed();
+}
+
+} // namespace rt::viz

@@ -1,0 +1,124 @@
+#include "viz/planes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <tbb/parallel_for.h>
+
+#include "common/image.h"
+#include "common/scene.h"
+#include "viz/mesh.h"
+
+namespace rt::viz
+{
+
+namespace
+{
+
+/// So many questions whether a light is hidden are asked for one patch at most.
+constexpr double mostShadowTests = 4e7;
+
+double smooth(double x)
+{
+    x = std::clamp(x, 0.0, 1.0);
+    return x * x * (3 - 2 * x);
+}
+
+struct Painter
+{
+    const PlanePatch& patch;
+    const SceneDescription& description;
+    Scene<double> scene{description};
+    const Plane<double>& plane = scene.planes[std::size_t(patch.plane)];
+    PrimitiveId id = PrimitiveId(scene.spheres.size()) + patch.plane;
+    vec3 N = unit(cross(patch.right, patch.forward));
+    bool withShadows = true;
+
+    vec3 light(const vec3& point) const
+    {
+        if (scene.lights.empty()) return vec3(0.6);
+        vec3 sum(0.1);
+        for (const auto& lamp : scene.lights)
+        {
+            vec3 L = lamp.position - point;
+            const double dist = length(L), cosine = dot(N, L) / dist;
+            if (!(cosine > 0)) continue;
+            L /= dist;
+            if (withShadows && scene.occluded({point, id}, L, dist)) continue;
+            sum += lamp.color * cosine / (dist * dist);
+        }
+        return sum;
+    }
+
+    /// The mean colour of the checker over a cell of the patch picture.
+    vec3 albedo(double u, double v, double step) const
+    {
+        vec3 sum(0);
+        constexpr int n = 3;
+        for (int j = 0; j < n; ++j)
+            for (int i = 0; i < n; ++i)
+                sum += scene.materials[std::size_t(plane.materialAt(patch.at(
+                                           u + step * ((i + 0.5) / n - 0.5), v + step * ((j + 0.5) / n - 0.5))))]
+                           .color;
+        return sum / double(n * n);
+    }
+
+    Rgba at(double u, double v, double step) const
+    {
+        const double edge = std::hypot(2 * u - 1, 2 * v - 1), alpha = 1 - smooth((edge - 0.55) / 0.45);
+        if (alpha <= 0) return {0, 0, 0, 0};
+        const vec3 color = albedo(u, v, step);
+        if (patch.seeThrough)
+        {
+            const vec3 silver = color * vec3(0.30, 0.38, 0.48);
+            return Rgba{toSrgb8(silver.x), toSrgb8(silver.y), toSrgb8(silver.z)}.withAlpha(0.42 * alpha);
+        }
+        const vec3 lit = color * light(patch.at(u, v));
+        const auto screen = [](double x) { return toSrgb8(0.9 * x / (1 + 0.35 * x)); };
+        return Rgba{screen(lit.x), screen(lit.y), screen(lit.z)}.withAlpha(alpha);
+    }
+};
+
+} // namespace
+
+std::vector<PlanePatch> planePatches(const SceneDescription& scene, const Extent& shown)
+{
+    std::vector<PlanePatch> patches;
+    const vec3 up = unit(scene.camera.up);
+    for (std::size_t i = 0; i < scene.planes.size(); ++i)
+    {
+        const auto& plane = scene.planes[i];
+        const auto& material = scene.materials[std::size_t(plane.material)];
+        vec3 N = unit(plane.normal);
+        const double height = dot(shown.centre - plane.point, N);
+        const vec3 centre = shown.centre - height * N;
+        if (height < 0) N = -N;
+        const auto [u, v] = across(N);
+        const double half = 1.5 * shown.radius;
+        PlanePatch patch;
+        patch.plane = int(i);
+        patch.right = 2 * half * u;
+        patch.forward = 2 * half * v;
+        patch.corner = centre - half * u - half * v;
+        patch.seeThrough = material.isMirror() || material.isDielectric();
+        patch.isFloor = dot(N, up) > 0.7;
+        if (isFinite(patch.corner)) patches.push_back(patch);
+    }
+    return patches;
+}
+
+PatchPicture paint(const PlanePatch& patch, const SceneDescription& scene, int side)
+{
+    Painter painter{patch, scene};
+    const double primitives = double(scene.spheres.size() + scene.planes.size() + scene.triangles.size());
+    painter.withShadows = double(side) * side * double(scene.lights.size()) * primitives <= mostShadowTests;
+    PatchPicture picture{side, std::vector<Rgba>(std::size_t(side) * std::size_t(side))};
+    tbb::parallel_for(0, side, [&](int j) {
+        for (int i = 0; i < side; ++i)
+            picture.pixels[std::size_t(j) * std::size_t(side) + std::size_t(i)] =
+                painter.at((i + 0.5) / side, (j + 0.5) / side, 1.0 / side);
+    });
+    return picture;
+}
+
+} // namespace rt::viz

@@ -1,0 +1,55 @@
+// The lines of a ray tree in space, as plain data: what is drawn, before anything is drawn.
+#pragma once
+
+#include "viz/extent.h"
+#include "viz/palette.h"
+
+namespace rt::viz
+{
+
+/// One straight piece.
+struct Segment
+{
+    RayRole role = RayRole::camera;
+    int node = 0;       ///< the ray itself, or the node at whose hit point a shadow ray or a normal starts
+    int light = -1;     ///< of shadow rays
+    vec3 from{0, 0, 0}, to{0, 0, 0};
+    double weight = 1;        ///< largest channel of the throughput, in [0, 1]
+    bool hasHead = true;      ///< an arrow head at `to`
+    bool fades = false;       ///< it goes on beyond `to`, further than is drawn
+    bool notTraced = false;   ///< the cap forbade it: only its beginning is drawn
+
+    double length() const { return glm::length(to - from); }
+};
+
+/// The point where something stands in the way of a shadow ray.
+struct BlockerMark
+{
+    int node = 0;
+    int light = -1;
+    vec3 point{0, 0, 0};
+};
+
+struct RayDrawing
+{
+    std::vector<Segment> segments;
+    std::vector<BlockerMark> blockers;
+    int nodes = 0;    ///< rays of the tree that are drawn: all of them, or the least deep ones
+    double size = 1;  ///< radius of the objects: what all widths are relative to
+};
+
+/// At most this many nodes are drawn, of the lowest depths.
+inline constexpr int mostDrawnNodes = 1500;
+
+/// What the tree looks like in space. Rays that meet nothing, or nothing near, end at a finite length and fade. Rays of
+/// no weight are left out.
+RayDrawing drawRays(const RayTree& tree, const SceneDescription& scene, const Extent& objects);
+
+/// The ends of all segments, those of the way to the lights only with `withLights`.
+std::vector<vec3> rayPoints(const RayDrawing& drawing, bool withLights);
+
+/// "D₀", "R₁", "T₂", "L₁", "N₁": the lecture's letter and the node's number.
+std::string labelOf(const Segment& segment);
+std::string subscript(int number);
+
+} // namespace rt::viz

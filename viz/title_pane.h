@@ -1,0 +1,19 @@
+// The line at the top: what is shown.
+#pragma once
+
+#include "viz/pane.h"
+
+namespace rt::viz
+{
+
+class TitlePane : public Pane
+{
+public:
+    using Pane::Pane;
+    bool update(unsigned changes) override;
+
+private:
+    void paint(Canvas& canvas) override;
+};
+
+} // namespace rt::viz
