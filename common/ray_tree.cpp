@@ -67,6 +67,12 @@ std::string text(const Vec3<double>& v)
     return fmt::format("({:.5g}, {:.5g}, {:.5g})", v.x, v.y, v.z);
 }
 
+/// Indentation; a depth that no recursion reaches, as a broken exercise may report, does not fill the memory.
+std::string indent(int levels)
+{
+    return std::string(std::size_t(4 * std::min(levels, 200)), ' ');
+}
+
 std::string opening(const RayTree& tree)
 {
     const auto lesson = tree.lesson ? fmt::format("lesson {:02}", tree.lesson) : std::string("another tracer");
@@ -97,7 +103,7 @@ std::string factor(const RayTree& tree, const RayTree::Node& node)
 std::string nodeText(const RayTree& tree, int id)
 {
     const auto& node = tree.nodes[std::size_t(id)];
-    const std::string outer(std::size_t(4 * node.depth), ' '), inner = outer + "    ";
+    const std::string outer = indent(node.depth), inner = indent(node.depth + 1);
     std::string out = fmt::format("{}[{}] {}Trace( {} ray, O = {}, D = {} )\n", outer, id, factor(tree, node),
                                   name(node.kind), text(node.origin), text(node.direction));
     if (!node.hit)
@@ -124,7 +130,7 @@ std::string toText(const RayTree& tree)
             const auto& node = tree.nodes[std::size_t(open.back())];
             open.pop_back();
             const char* why = node.end == End::none || node.end == End::absorbed ? "" : name(node.end);
-            out += fmt::format("{}return {}{}{}\n", std::string(std::size_t(4 * node.depth + 4), ' '),
+            out += fmt::format("{}return {}{}{}\n", indent(node.depth + 1),
                                text(node.radiance), *why ? "   // " : "", why);
         }
     };
@@ -133,7 +139,7 @@ std::string toText(const RayTree& tree)
     {
         close(node.depth);
         out += nodeText(tree, node.id);
-        const std::string inner(std::size_t(4 * node.depth + 4), ' ');
+        const std::string inner = indent(node.depth + 1);
         for (; shadow < tree.shadows.size() && tree.shadows[shadow].node == node.id; ++shadow)
             out += inner + shadowLine(tree.shadows[shadow]) + "\n";
         if (node.hit && !tree.shadowsOf(node.id).empty())

@@ -236,7 +236,7 @@ RayTree::Capped readCapped(const Reader& in, int nodes)
 {
     RayTree::Capped capped;
     capped.node = in.integer("node", 0, nodes - 1);
-    capped.kind = in.choice("kind", {RayKind::reflected, RayKind::transmitted});
+    capped.kind = in.choice("kind", {RayKind::camera, RayKind::reflected, RayKind::transmitted});
     capped.direction = in.triple("direction");
     capped.weight = in.real("weight");
     capped.radiance = in.triple("radiance");

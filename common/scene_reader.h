@@ -10,6 +10,11 @@
 #include <string_view>
 #include <vector>
 
+// The library, not the headers alone: those assert on input such as "[[[", unless built without assertions.
+#ifndef TOML_HEADER_ONLY
+#define TOML_HEADER_ONLY 0
+#endif
+
 #include <fmt/format.h>
 #include <toml++/toml.h>
 

@@ -24,18 +24,18 @@ public:
         RayTree::Node node;
         node.id = int(tree->nodes.size());
         node.kind = ray.kind;
-        node.depth = ray.depth;
+        node.depth = std::clamp(ray.depth, 0, 1 << 20);
         node.origin = Vec3<double>(ray.O);
         node.direction = Vec3<double>(ray.D);
         node.weight = double(ray.weight);
         node.line = int(where.line());
-        if (const auto* parent = openNode(); parent && parent->depth == ray.depth - 1)
+        if (const auto* parent = openNode(); parent && parent->depth == node.depth - 1)
         {
             node.parent = parent->id;
             node.throughput = passedOn(*parent, ray.weight);
         }
         else
-            node.orphan = node.id != 0 || ray.depth != 0;
+            node.orphan = node.id != 0 || node.depth != 0;
         if (hit)
         {
             node.hit = {double(hit->t), Vec3<double>(hit->I), Vec3<double>(hit->outwardNormal()),

@@ -47,18 +47,6 @@ void footer(CLI::App& app, const std::string& command)
                            command, app.get_name()));
 }
 
-/// Throws SceneError if the lesson does not model all that the scene requires, unless forced: then it only says so.
-void checkModels(const LessonEntry& lesson, const SceneDescription& scene, bool force)
-{
-    for (const auto& [feature, because] : missing(required(scene), lesson.models))
-    {
-        const auto what = fmt::format("{}: {}: {} comes with {}; lesson {:02} models {} only", scene.file, because,
-                                      name(feature), lessonThatBrings(feature), lesson.number, lesson.title);
-        if (!force) throw SceneError(what + " (--force traces what it can)");
-        std::cerr << what << "; traced without\n";
-    }
-}
-
 void printTree(const LessonEntry& lesson, const SceneDescription& scene, const LessonOptions& options)
 {
     const RayTree tree = lesson.inspect(scene, options.precision(), probe(options, scene));

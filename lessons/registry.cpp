@@ -1,9 +1,11 @@
 #include "lessons/registry.h"
 
 #include <algorithm>
+#include <iostream>
 
 #include <fmt/format.h>
 
+#include "common/scene_file.h"
 #include "lessons/entries.h"
 
 namespace rt
@@ -36,6 +38,17 @@ std::string lessonThatBrings(Feature feature)
         if (std::find(lesson->models.begin(), lesson->models.end(), feature) != lesson->models.end())
             return fmt::format("lesson {:02} ({})", lesson->number, lesson->title);
     return "a later lesson";
+}
+
+void checkModels(const LessonEntry& lesson, const SceneDescription& scene, bool force)
+{
+    for (const auto& [feature, because] : missing(required(scene), lesson.models))
+    {
+        const auto what = fmt::format("{}: {}: {} comes with {}; lesson {:02} models {} only", scene.file, because,
+                                      name(feature), lessonThatBrings(feature), lesson.number, lesson.title);
+        if (!force) throw SceneError(what + " (--force traces what it can)");
+        std::cerr << what << "; traced without\n";
+    }
 }
 
 } // namespace rt

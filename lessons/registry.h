@@ -19,4 +19,7 @@ const LessonEntry* smallestLesson(const SceneDescription& scene);
 /// "02 (mirrors)": the first lesson that models the feature.
 std::string lessonThatBrings(Feature feature);
 
+/// Throws SceneError if the lesson does not model all that the scene requires, unless forced: then it only says so.
+void checkModels(const LessonEntry& lesson, const SceneDescription& scene, bool force);
+
 } // namespace rt

@@ -1,0 +1,267 @@
+#include "viz/scene_pane.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <vtkCamera.h>
+#include <vtkLight.h>
+#include <vtkPointGaussianMapper.h>
+#include <vtkPolyData.h>
+#include <vtkProperty.h>
+
+#include "viz/actors.h"
+#include "viz/object_meshes.h"
+#include "viz/picture_view.h"
+#include "viz/ray_mesh.h"
+#include "viz/scene_overlay.h"
+
+namespace rt::viz
+{
+
+namespace
+{
+
+constexpr int patchSide = 768;      // pixels of a plane's picture
+constexpr int planePicture = 1024;  // largest side of the picture on the image plane
+
+vtkSmartPointer<vtkActor> glowActor(const SceneDescription& scene, double radius)
+{
+    Mesh centres;
+    for (const auto& light : scene.lights)
+    {
+        centres.points.push_back(light.position);
+        centres.normals.emplace_back(0, 1, 0);
+        centres.colors.push_back(lightColor(light));
+    }
+    vtkNew<vtkPointGaussianMapper> mapper;
+    mapper->SetInputData(polyData(centres));
+    mapper->SetScaleFactor(radius);
+    mapper->EmissiveOff();
+    mapper->SetColorModeToDirectScalars();
+    mapper->SetSplatShaderCode("//VTK::Color::Impl\n"
+                               "float d = length(offsetVCVSOutput.xy);\n"
+                               "if (d > 1.0) { discard; }\n"
+                               "opacity = 0.55 * pow(1.0 - d, 2.2);\n");
+    mapper->SetTriangleScale(1.6F);
+    auto actor = vtkSmartPointer<vtkActor>::New();
+    actor->SetMapper(mapper);
+    actor->GetProperty()->LightingOff();
+    actor->ForceTranslucentOn();
+    return actor;
+}
+
+} // namespace
+
+ScenePane::ScenePane(Controller& watched) : Pane(watched), objects(objectExtent(watched.scene()))
+{
+    auto* view = renderer();
+    view->GradientBackgroundOn();
+    view->SetBackground(color::skyLow.r / 255.0, color::skyLow.g / 255.0, color::skyLow.b / 255.0);
+    view->SetBackground2(color::skyHigh.r / 255.0, color::skyHigh.g / 255.0, color::skyHigh.b / 255.0);
+    view->SetUseDepthPeeling(true);
+    view->SetMaximumNumberOfPeels(6);
+    view->SetOcclusionRatio(0.01);
+    view->SetUseFXAA(true);
+
+    screen = imagePlane(controller.scene().camera, objects);
+    drawing = drawRays(controller.tree(), controller.scene(), objects);
+    buildObjects();
+    solidRays = meshActor({}, Finish::vivid);
+    fadingRays = meshActor({}, Finish::vivid, true);
+    view->AddActor(solidRays);
+    view->AddActor(fadingRays);
+    rebuildRays();
+}
+
+std::vector<vec3> ScenePane::shownPoints() const
+{
+    auto points = objectPoints(controller.scene());
+    for (const auto& p : rayPoints(drawing, true)) points.push_back(p);
+    for (const auto& light : controller.scene().lights) points.push_back(light.position);
+    for (const auto& [x, y] : {vec2{0, 0}, {1, 0}, {0, 1}, {1, 1}}) points.push_back(screen.at(x, y));
+    points.push_back(screen.eye);
+    // What is too far away to be part of the scene would make all the rest tiny.
+    std::erase_if(points, [&](const vec3& p) {
+        return !(glm::length(p - objects.centre) < 12 * objects.radius) && p != screen.eye;
+    });
+    return points;
+}
+
+void ScenePane::buildObjects()
+{
+    const auto& scene = controller.scene();
+    const Extent shown = around(shownPoints(), objects);
+    const auto meshes = objectMeshes(scene, shown);
+    renderer()->AddActor(meshActor(meshes.backdrop, Finish::matte, true));
+    renderer()->AddActor(meshActor(meshes.matte, Finish::matte));
+    renderer()->AddActor(meshActor(meshes.chrome, Finish::chrome));
+    renderer()->AddActor(meshActor(meshes.glass, Finish::glass));
+    renderer()->AddActor(meshActor(cameraMesh(screen, 0.006 * objects.radius), Finish::plain));
+    buildPlanes(shown);
+    buildLights(shown);
+
+    picture = pictureActor(screen.topLeft, screen.right, screen.down, {Rgba{}}, 1, 1);
+    picture->GetProperty()->SetOpacity(0.85);
+    picture->ForceTranslucentOn();
+    renderer()->AddActor(picture);
+    chosenPixel = meshActor({}, Finish::plain);
+    renderer()->AddActor(chosenPixel);
+    updatePicture();
+}
+
+void ScenePane::buildPlanes(const Extent& shown)
+{
+    const auto& scene = controller.scene();
+    // Without what is high above the floor, so that the floor lies under the objects.
+    Extent ground = shown;
+    ground.centre = 0.5 * (shown.centre + objects.centre);
+    patches = planePatches(scene, ground);
+    for (const auto& patch : patches)
+    {
+        const auto painted = paint(patch, scene, patchSide);
+        const auto actor = pictureActor(patch.corner, patch.right, patch.forward, painted.pixels, painted.side, painted.side);
+        actor->ForceTranslucentOn();
+        renderer()->AddActor(actor);
+        if (patch.isFloor || patch.seeThrough) continue;
+        // A wall hides nothing from behind: there it is only hinted at.
+        actor->GetProperty()->BackfaceCullingOn();
+        const auto hint = pictureActor(patch.corner, patch.right, patch.forward, painted.pixels, painted.side, painted.side);
+        hint->GetProperty()->FrontfaceCullingOn();
+        hint->GetProperty()->SetOpacity(0.12);
+        hint->ForceTranslucentOn();
+        renderer()->AddActor(hint);
+    }
+}
+
+void ScenePane::buildLights(const Extent&)
+{
+    const auto& scene = controller.scene();
+    const double radius = 0.07 * objects.radius;
+    renderer()->AddActor(meshActor(lightMesh(scene, radius), Finish::plain));
+    if (!scene.lights.empty()) renderer()->AddActor(glowActor(scene, 5 * radius));
+
+    renderer()->SetAutomaticLightCreation(false);
+    renderer()->RemoveAllLights();
+    vtkNew<vtkLight> headlight;
+    headlight->SetLightTypeToHeadlight();
+    headlight->SetIntensity(scene.lights.empty() ? 0.9 : 0.4);
+    renderer()->AddLight(headlight);
+    // The strongest lamps shine on the objects; how strongly is a matter of looks here.
+    std::vector<Light<double>> lamps = scene.lights;
+    const auto strength = [&](const Light<double>& lamp) {
+        const vec3 d = lamp.position - objects.centre;
+        return largestChannel(lamp.color) / std::max(1e-9, dot(d, d));
+    };
+    std::stable_sort(lamps.begin(), lamps.end(), [&](const auto& a, const auto& b) { return strength(a) > strength(b); });
+    lamps.resize(std::min<std::size_t>(lamps.size(), 3));
+    for (const auto& lamp : lamps)
+    {
+        vtkNew<vtkLight> light;
+        light->SetLightTypeToSceneLight();
+        light->PositionalOn();
+        light->SetConeAngle(180);
+        light->SetPosition(lamp.position.x, lamp.position.y, lamp.position.z);
+        light->SetFocalPoint(objects.centre.x, objects.centre.y, objects.centre.z);
+        const Rgba tint = mix(lightColor(lamp), {255, 255, 255}, 0.3);
+        light->SetColor(tint.r / 255.0, tint.g / 255.0, tint.b / 255.0);
+        light->SetIntensity(0.8 * strength(lamp) / strength(lamps.front()));
+        renderer()->AddLight(light);
+    }
+}
+
+void ScenePane::updatePicture()
+{
+    const auto reduced = ScreenPicture(controller.picture()).reduced(planePicture);
+    setPicture(picture, reduced.pixels, reduced.width, reduced.height);
+}
+
+void ScenePane::rebuildRays()
+{
+    const auto mesh = buildRayMesh(drawing, {.selected = drawing.nodes > 1 ? controller.selected() : -1,
+                                             .withNormals = controller.showsNormals()});
+    setMesh(solidRays, mesh.solid);
+    setMesh(fadingRays, mesh.fading);
+
+    Mesh square;
+    if (const auto pixel = controller.pixel())
+    {
+        const auto& camera = controller.scene().camera;
+        // At least so large that it can be seen.
+        const double w = std::max(1.0 / camera.width, 0.02), h = std::max(1.0 / camera.height, 0.027);
+        const double x = ((*pixel)[0] + 0.5) / camera.width, y = ((*pixel)[1] + 0.5) / camera.height;
+        const vec3 corners[] = {screen.at(x - w / 2, y - h / 2), screen.at(x + w / 2, y - h / 2),
+                                screen.at(x + w / 2, y + h / 2), screen.at(x - w / 2, y + h / 2)};
+        for (int i = 0; i < 4; ++i)
+            addTube(square, corners[i], corners[(i + 1) % 4], 0.006 * objects.radius, colorOf(RayRole::camera),
+                    colorOf(RayRole::camera));
+    }
+    setMesh(chosenPixel, square);
+}
+
+bool ScenePane::update(unsigned changes)
+{
+    if (changes & changedPicture) updatePicture();
+    if (changes & changedTree) drawing = drawRays(controller.tree(), controller.scene(), objects);
+    rebuildRays();
+    renderer()->ResetCameraClippingRange();
+    return true;
+}
+
+void ScenePane::placed()
+{
+}
+
+void ScenePane::fitScene()
+{
+    look(fitView(shownPoints(), bestDirection(drawing, controller.scene()), controller.scene().camera.up, aspect()));
+}
+
+void ScenePane::fitRays()
+{
+    auto points = rayPoints(drawing, false);
+    std::erase_if(points, [&](const vec3& p) { return !(glm::length(p - objects.centre) < 12 * objects.radius); });
+    // Not closer than a part of the objects is large.
+    const Extent rays = around(points, objects);
+    for (const vec3& axis : {vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1)})
+        for (const double sign : {-0.4, 0.4}) points.push_back(rays.centre + sign * objects.radius * axis);
+    const View now = view();
+    look(fitView(points, unit(now.position - now.focal), controller.scene().camera.up, aspect()));
+}
+
+void ScenePane::look(const View& view)
+{
+    auto* camera = renderer()->GetActiveCamera();
+    camera->SetPosition(view.position.x, view.position.y, view.position.z);
+    camera->SetFocalPoint(view.focal.x, view.focal.y, view.focal.z);
+    camera->SetViewUp(view.up.x, view.up.y, view.up.z);
+    camera->SetViewAngle(view.angle);
+    renderer()->ResetCameraClippingRange();
+}
+
+View ScenePane::view()
+{
+    auto* camera = renderer()->GetActiveCamera();
+    const double *p = camera->GetPosition(), *f = camera->GetFocalPoint(), *u = camera->GetViewUp();
+    return {{p[0], p[1], p[2]}, {f[0], f[1], f[2]}, {u[0], u[1], u[2]}, camera->GetViewAngle()};
+}
+
+void ScenePane::setMoving(bool moving)
+{
+    renderer()->SetUseFXAA(!moving);
+    renderer()->SetMaximumNumberOfPeels(moving ? 2 : 6);
+}
+
+bool ScenePane::click(int x, int y)
+{
+    const Projector projector(view(), area.width, area.height);
+    const int found = pickSegment(drawing, projector, {x + 0.5, y + 0.5}, 10 * scale);
+    if (found >= 0) controller.selectNode(drawing.segments[std::size_t(found)].node);
+    return false;
+}
+
+void ScenePane::paint(Canvas& canvas)
+{
+    paintSceneOverlay(canvas, {controller, drawing, objects, view(), area.width, area.height});
+}
+
+} // namespace rt::viz

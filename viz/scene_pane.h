@@ -1,0 +1,47 @@
+// The scene in space with the rays of the chosen pixel.
+#pragma once
+
+#include <vtkActor.h>
+#include <vtkSmartPointer.h>
+
+#include "viz/pane.h"
+#include "viz/planes.h"
+#include "viz/rays.h"
+#include "viz/view.h"
+
+namespace rt::viz
+{
+
+class ScenePane : public Pane
+{
+public:
+    explicit ScenePane(Controller& watched);
+    bool update(unsigned changes) override;
+    bool click(int x, int y) override;
+
+    void fitScene();
+    void fitRays();
+    /// Rough while the user turns the scene, smooth when it stands still.
+    void setMoving(bool moving);
+
+private:
+    Extent objects;
+    RayDrawing drawing;
+    ImagePlane screen;
+    std::vector<PlanePatch> patches;
+    vtkSmartPointer<vtkActor> solidRays, fadingRays, picture, chosenPixel;
+
+    void placed() override;
+    void paint(Canvas& canvas) override;
+    void buildObjects();
+    void buildPlanes(const Extent& shown);
+    void buildLights(const Extent& shown);
+    void rebuildRays();
+    void updatePicture();
+    std::vector<vec3> shownPoints() const;
+    void look(const View& view);
+    View view();
+    double aspect() const { return double(area.width) / area.height; }
+};
+
+} // namespace rt::viz

@@ -1,0 +1,134 @@
+#include "viz/style.h"
+
+#include <cmath>
+
+#include <vtkObjectFactory.h>
+#include <vtkRenderWindowInteractor.h>
+
+#include "viz/window.h"
+
+namespace rt::viz
+{
+
+namespace
+{
+constexpr int clickDistance = 4;   // pixels; further is a drag
+}
+
+vtkStandardNewMacro(Style);
+
+bool Style::onScene()
+{
+    return window->paneAt(pressedX, pressedY) == &window->scenePane();
+}
+
+void Style::OnLeftButtonDown()
+{
+    this->Interactor->GetEventPosition(pressedX, pressedY);
+    lastX = pressedX;
+    lastY = pressedY;
+    pressed = true;
+    dragging = false;
+}
+
+void Style::OnMouseMove()
+{
+    int x = 0, y = 0;
+    this->Interactor->GetEventPosition(x, y);
+    if (pressed && !dragging && std::hypot(x - pressedX, y - pressedY) >= clickDistance)
+    {
+        dragging = true;
+        if (onScene())
+        {
+            window->beginMotion();
+            this->FindPokedRenderer(pressedX, pressedY);
+            if (this->Interactor->GetShiftKey())
+                this->StartPan();
+            else
+                this->StartRotate();
+        }
+    }
+    if (this->State != VTKIS_NONE)
+        Superclass::OnMouseMove();
+    else if (dragging)
+        window->drag(pressedX, pressedY, x - lastX, y - lastY);
+    lastX = x;
+    lastY = y;
+}
+
+void Style::OnLeftButtonUp()
+{
+    if (pressed && !dragging) window->click(pressedX, pressedY);
+    endMotion();
+}
+
+void Style::endMotion()
+{
+    pressed = dragging = false;
+    switch (this->State)
+    {
+    case VTKIS_ROTATE: this->EndRotate(); break;
+    case VTKIS_PAN: this->EndPan(); break;
+    case VTKIS_DOLLY: this->EndDolly(); break;
+    default: return;
+    }
+    window->endMotion();
+}
+
+void Style::OnMiddleButtonDown()
+{
+    this->Interactor->GetEventPosition(pressedX, pressedY);
+    lastX = pressedX;
+    lastY = pressedY;
+    if (onScene())
+    {
+        window->beginMotion();
+        this->FindPokedRenderer(pressedX, pressedY);
+        this->StartPan();
+    }
+    else
+        pressed = dragging = true;
+}
+
+void Style::OnMiddleButtonUp()
+{
+    endMotion();
+}
+
+void Style::OnRightButtonDown()
+{
+    this->Interactor->GetEventPosition(pressedX, pressedY);
+    if (!onScene()) return;
+    window->beginMotion();
+    this->FindPokedRenderer(pressedX, pressedY);
+    this->StartDolly();
+}
+
+void Style::OnRightButtonUp()
+{
+    endMotion();
+}
+
+void Style::OnMouseWheelForward()
+{
+    int x = 0, y = 0;
+    this->Interactor->GetEventPosition(x, y);
+    if (window->wheel(x, y, true)) Superclass::OnMouseWheelForward();
+}
+
+void Style::OnMouseWheelBackward()
+{
+    int x = 0, y = 0;
+    this->Interactor->GetEventPosition(x, y);
+    if (window->wheel(x, y, false)) Superclass::OnMouseWheelBackward();
+}
+
+void Style::OnKeyPress()
+{
+    int x = 0, y = 0;
+    this->Interactor->GetEventPosition(x, y);
+    const char* key = this->Interactor->GetKeySym();
+    window->key(key ? key : "", this->Interactor->GetShiftKey() != 0, x, y);
+}
+
+} // namespace rt::viz
