@@ -52,15 +52,29 @@ Precision TraceOptions::precision() const
 
 void addTraceOptions(CLI::App& app, TraceOptions& options)
 {
-    app.add_option("scene", options.scene, "scene file (TOML); default: the lesson's first scene")->type_name("SCENE.toml");
+    app.add_option("scene", options.scene, "scene file (TOML); default: the lesson's first scene")
+        ->type_name("SCENE.toml");
     app.add_option("--size", options.size, "size of the picture in pixels; default: the scene's")->type_name("WxH");
-    app.add_option("--real", options.real, "scalar type")->check(CLI::IsMember({"float", "double", "long-double"}))->capture_default_str();
-    app.add_option("--depth", options.depth, "MAXDEPTH: rays of this depth are traced, deeper ones are not")->check(CLI::Range(0, 1024))->type_name("N");
-    app.add_option("--fresnel", options.fresnel, "how glass splits light; default: the scene's")->check(CLI::IsMember({"exact", "schlick", "none"}));
-    app.add_option("--spp", options.spp, "samples per pixel")->check(CLI::Range(1, 65536))->type_name("N")->capture_default_str();
-    app.add_option("--threads", options.threads, "threads; default: one a core")->check(CLI::Range(1, 1024))->type_name("N");
-    auto* pixel = app.add_option("--pixel", options.pixel, "the ray tree of this pixel: x to the right, y down")->type_name("x,y");
-    app.add_option("--ray", options.ray, "the ray tree of one ray in world space")->type_name("ox,oy,oz,dx,dy,dz")->excludes(pixel);
+    app.add_option("--real", options.real, "scalar type")
+        ->check(CLI::IsMember({"float", "double", "long-double"}))
+        ->capture_default_str();
+    app.add_option("--depth", options.depth, "MAXDEPTH: rays of this depth are traced, deeper ones are not")
+        ->check(CLI::Range(0, 1024))
+        ->type_name("N");
+    app.add_option("--fresnel", options.fresnel, "how glass splits light; default: the scene's")
+        ->check(CLI::IsMember({"exact", "schlick", "none"}));
+    app.add_option("--spp", options.spp, "samples per pixel")
+        ->check(CLI::Range(1, 65536))
+        ->type_name("N")
+        ->capture_default_str();
+    app.add_option("--threads", options.threads, "threads; default: one a core")
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N");
+    auto* pixel = app.add_option("--pixel", options.pixel, "the ray tree of this pixel: x to the right, y down")
+                      ->type_name("x,y");
+    app.add_option("--ray", options.ray, "the ray tree of one ray in world space")
+        ->type_name("ox,oy,oz,dx,dy,dz")
+        ->excludes(pixel);
 }
 
 std::vector<double> numbers(const std::string& text, std::size_t count, const std::string& option)
@@ -120,8 +134,8 @@ Probe probe(const TraceOptions& options, const SceneDescription& scene)
     if (options.pixel.empty()) return scene.pixel();
     const auto pixel = pairOf(options.pixel, ',', "--pixel", "x,y, as in 320,240");
     if (pixel[0] < 0 || pixel[1] < 0 || pixel[0] >= scene.camera.width || pixel[1] >= scene.camera.height)
-        throw CLI::ValidationError("--pixel", fmt::format("{},{} is outside the picture of {}x{} pixels", pixel[0], pixel[1],
-                                                          scene.camera.width, scene.camera.height));
+        throw CLI::ValidationError("--pixel", fmt::format("{},{} is outside the picture of {}x{} pixels", pixel[0],
+                                                          pixel[1], scene.camera.width, scene.camera.height));
     return pixel;
 }
 

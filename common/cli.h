@@ -22,14 +22,14 @@ enum ExitCode
 struct TraceOptions
 {
     std::string scene;
-    std::string size;       ///< "WxH"; empty: the scene's
+    std::string size; ///< "WxH"; empty: the scene's
     std::string real = "double";
-    int depth = -1;         ///< -1: the scene's
-    std::string fresnel;    ///< empty: the scene's
+    int depth = -1;      ///< -1: the scene's
+    std::string fresnel; ///< empty: the scene's
     int spp = 1;
     int threads = 0;
-    std::string pixel;      ///< "x,y"
-    std::string ray;        ///< "ox,oy,oz,dx,dy,dz"
+    std::string pixel; ///< "x,y"
+    std::string ray;   ///< "ox,oy,oz,dx,dy,dz"
 
     Precision precision() const;
     bool hasProbe() const { return !pixel.empty() || !ray.empty(); }

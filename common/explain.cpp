@@ -27,10 +27,11 @@ Vec3<double> facing(const RayTree::Hit& hit)
 Formula hitPoint(const RayTree::Node& node)
 {
     if (!node.hit)
-        return {"Intersection", "P(t) = O + tD", fmt::format("no t > 0 meets the scene; the ray returns {}", text(node.radiance))};
+        return {"Intersection", "P(t) = O + tD",
+                fmt::format("no t > 0 meets the scene; the ray returns {}", text(node.radiance))};
     return {"Intersection", "I = O + tD",
-            fmt::format("{} + {} {} = {}\non {}, material {}{}", text(node.origin), text(node.hit->t), text(node.direction),
-                        text(node.hit->point), node.hit->primitive, node.hit->material,
+            fmt::format("{} + {} {} = {}\non {}, material {}{}", text(node.origin), text(node.hit->t),
+                        text(node.direction), text(node.hit->point), node.hit->primitive, node.hit->material,
                         node.hit->inside ? ", from inside" : "")};
 }
 
@@ -40,8 +41,8 @@ Formula directLight(const RayTree::Shadow& shadow, const Light<double>& light, c
     formula.numbers = fmt::format("L = {}, dist = {}\n", text(shadow.direction), text(shadow.distance));
     if (!shadow.visible)
     {
-        formula.numbers += shadow.blocker ? fmt::format("not visible: {} is in the way at {}", shadow.blocker->primitive,
-                                                        text(shadow.blocker->point))
+        formula.numbers += shadow.blocker ? fmt::format("not visible: {} is in the way at {}",
+                                                        shadow.blocker->primitive, text(shadow.blocker->point))
                                           : "not visible";
         return formula;
     }
@@ -65,9 +66,10 @@ Formula sum(const RayTree& tree, const RayTree::Node& node)
     Formula formula{"Colour", "", ""};
     const auto term = [&](double weight, const std::string& symbol, const Vec3<double>& brought) {
         const std::string share = weight == 1 ? "" : text(weight) + " * ";
-        formula.symbolic += fmt::format("{}{}material color * {}", formula.symbolic.empty() ? "" : " + ", share, symbol);
-        formula.numbers += fmt::format("{}{}{} * {}", formula.numbers.empty() ? "" : " + ", share, text(node.hit->color),
-                                       text(brought));
+        formula.symbolic +=
+            fmt::format("{}{}material color * {}", formula.symbolic.empty() ? "" : " + ", share, symbol);
+        formula.numbers += fmt::format("{}{}{} * {}", formula.numbers.empty() ? "" : " + ", share,
+                                       text(node.hit->color), text(brought));
     };
     if (node.own != Vec3<double>(0))
     {

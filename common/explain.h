@@ -13,9 +13,9 @@ namespace rt
 /// One formula of the lecture at one node.
 struct Formula
 {
-    std::string title;      ///< "Reflected vector"
-    std::string symbolic;   ///< "R = D - 2(D.N)N"
-    std::string numbers;    ///< the same with this node's numbers, and the result; may have several lines
+    std::string title;    ///< "Reflected vector"
+    std::string symbolic; ///< "R = D - 2(D.N)N"
+    std::string numbers;  ///< the same with this node's numbers, and the result; may have several lines
 };
 
 /// The formulas that produced nodes[node], in the order in which the lesson used them. `scene` must be the scene that the

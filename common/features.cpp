@@ -10,8 +10,14 @@ namespace rt
 
 const char* name(Feature feature)
 {
-    constexpr const char* names[] = {"direct illumination", "mirrors", "partial reflection", "a sky",
-                                     "refraction", "Fresnel reflection", "cutoff and cap policies", "glossy highlights"};
+    constexpr const char* names[] = {"direct illumination",
+                                     "mirrors",
+                                     "partial reflection",
+                                     "a sky",
+                                     "refraction",
+                                     "Fresnel reflection",
+                                     "cutoff and cap policies",
+                                     "glossy highlights"};
     return names[int(feature)];
 }
 
@@ -34,14 +40,16 @@ std::vector<Requirement> required(const SceneDescription& scene)
         branches = branches || mat.mirror > 0 || mat.isDielectric();
         if (mat.isMirror()) need(Feature::mirror, fmt::format("material '{}' is a mirror (mirror = 1)", mat.name));
         if (mat.mirror > 0 && mat.mirror < 1)
-            need(Feature::partial, fmt::format("material '{}' is a partial mirror (mirror = {})", mat.name, mat.mirror));
+            need(Feature::partial,
+                 fmt::format("material '{}' is a partial mirror (mirror = {})", mat.name, mat.mirror));
         if (mat.isDielectric())
         {
             need(Feature::refraction, fmt::format("material '{}' is a dielectric (ior = {})", mat.name, mat.ior));
             if (scene.trace.fresnel != FresnelModel::none)
                 need(Feature::fresnel, fmt::format("material '{}' reflects and transmits", mat.name));
         }
-        if (mat.glossy > 0) need(Feature::phong, fmt::format("material '{}' is glossy (glossy = {})", mat.name, mat.glossy));
+        if (mat.glossy > 0)
+            need(Feature::phong, fmt::format("material '{}' is glossy (glossy = {})", mat.name, mat.glossy));
     }
     if (!scene.lights.empty() && !used.empty()) need(Feature::direct, "it has lights");
     if (scene.sky.present && scene.sky.color != Vec3<double>(0)) need(Feature::sky, "it has a [sky]");

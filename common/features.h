@@ -12,14 +12,14 @@ namespace rt
 /// In the order in which the lessons bring them.
 enum class Feature
 {
-    direct,       ///< lights, shadows, diffuse surfaces
-    mirror,       ///< pure specular surfaces
-    partial,      ///< partly specular surfaces
-    sky,          ///< light from outside the scene
-    refraction,   ///< dielectrics
-    fresnel,      ///< the reflected share of a dielectric
-    policies,     ///< energy cutoff, and what a capped ray returns
-    phong         ///< glossy highlights
+    direct,     ///< lights, shadows, diffuse surfaces
+    mirror,     ///< pure specular surfaces
+    partial,    ///< partly specular surfaces
+    sky,        ///< light from outside the scene
+    refraction, ///< dielectrics
+    fresnel,    ///< the reflected share of a dielectric
+    policies,   ///< energy cutoff, and what a capped ray returns
+    phong       ///< glossy highlights
 };
 
 /// "mirrors", "partial reflection", ...: as it stands in a sentence.
@@ -28,7 +28,7 @@ const char* name(Feature feature);
 struct Requirement
 {
     Feature feature;
-    std::string because;   ///< "material 'glass' has an index of refraction (ior = 1.5)"
+    std::string because; ///< "material 'glass' has an index of refraction (ior = 1.5)"
 };
 
 /// What the scene requires, in the order of Feature, each with its first reason. Materials that no object uses count for

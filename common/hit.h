@@ -13,12 +13,12 @@ namespace rt
 template <std::floating_point Real>
 struct Hit
 {
-    Point<Real> I;               ///< the intersection point; it knows its primitive
-    Vec3<Real> N;                ///< unit normal on the side that the ray comes from: dot(D, N) <= 0
-    const Material<Real>& mat;   ///< of the surface at I, checker included
-    Real t;                      ///< distance along the ray, > 0
-    bool inside;                 ///< the ray arrived on the inner side: the outward normal is -N
-    Real n1, n2;                 ///< index of refraction before and behind the surface, seen along the ray; 1 if opaque
+    Point<Real> I;             ///< the intersection point; it knows its primitive
+    Vec3<Real> N;              ///< unit normal on the side that the ray comes from: dot(D, N) <= 0
+    const Material<Real>& mat; ///< of the surface at I, checker included
+    Real t;                    ///< distance along the ray, > 0
+    bool inside;               ///< the ray arrived on the inner side: the outward normal is -N
+    Real n1, n2;               ///< index of refraction before and behind the surface, seen along the ray; 1 if opaque
 
     Vec3<Real> outwardNormal() const { return inside ? -N : N; }
 };

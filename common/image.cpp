@@ -36,8 +36,8 @@ bool isLinear(const std::string& path)
 void replaceFile(const std::string& path, const std::function<void(const std::string&)>& write)
 {
     const fs::path target(path);
-    const auto temporary = (target.parent_path() /
-                            fmt::format(".part-{}-{}", getpid(), target.filename().string())).string();
+    const auto temporary =
+        (target.parent_path() / fmt::format(".part-{}-{}", getpid(), target.filename().string())).string();
     try
     {
         write(temporary);
@@ -115,7 +115,8 @@ Image readImage(const std::string& path)
     if (!in) throw std::runtime_error(fmt::format("{}: cannot be read as a picture: {}", path, OIIO::geterror()));
     const auto& spec = in->spec();
     const auto channels = std::size_t(spec.nchannels);
-    if (spec.width < 1 || spec.height < 1 || std::size_t(spec.width) * std::size_t(spec.height) > (std::size_t(1) << 28))
+    if (spec.width < 1 || spec.height < 1 ||
+        std::size_t(spec.width) * std::size_t(spec.height) > (std::size_t(1) << 28))
         throw std::runtime_error(fmt::format("{}: {}x{} pixels, at most 2^28 are read", path, spec.width, spec.height));
     std::vector<float> values(std::size_t(spec.width) * std::size_t(spec.height) * channels);
     if (!in->read_image(0, 0, 0, -1, OIIO::TypeDesc::FLOAT, values.data()))

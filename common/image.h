@@ -19,10 +19,7 @@ struct Image
     Image(int w, int h) : width(w), height(h), pixels(std::size_t(w) * std::size_t(h), Vec3<double>(0)) {}
 
     Vec3<double>& at(int x, int y) { return pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }
-    const Vec3<double>& at(int x, int y) const
-    {
-        return pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)];
-    }
+    const Vec3<double>& at(int x, int y) const { return pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }
 };
 
 /// Stands for a pixel whose exercise has not been attempted.
@@ -51,9 +48,9 @@ std::string readTextFile(const std::string& path);
 struct Comparison
 {
     bool sameSize = false;
-    int wrong = 0;         ///< pixels with a channel that is not finite or not within tolerance
-    double worst = 0;      ///< largest difference of a channel
-    int x = -1, y = -1;    ///< the pixel where it is
+    int wrong = 0;      ///< pixels with a channel that is not finite or not within tolerance
+    double worst = 0;   ///< largest difference of a channel
+    int x = -1, y = -1; ///< the pixel where it is
 
     bool equal() const { return sameSize && wrong == 0; }
 };

@@ -20,7 +20,7 @@ enum class Precision
     longDouble
 };
 
-const char* name(Precision precision);   ///< "float", "double", "long-double"
+const char* name(Precision precision); ///< "float", "double", "long-double"
 
 /// A ray in world space; the direction need not have unit length.
 struct GivenRay
@@ -34,11 +34,11 @@ using Probe = std::variant<std::array<int, 2>, GivenRay>;
 struct LessonEntry
 {
     int number;
-    const char* slug;     ///< folder below lessons/
+    const char* slug; ///< folder below lessons/
     const char* title;
-    const char* slides;   ///< headings of the lecture
-    const char* source;   ///< file, relative to the project, whose lines the trees name
-    const char* scene;    ///< file, relative to the project: its first scene
+    const char* slides; ///< headings of the lecture
+    const char* source; ///< file, relative to the project, whose lines the trees name
+    const char* scene;  ///< file, relative to the project: its first scene
     FeatureSet models;
     Image (*render)(const SceneDescription&, Precision, const RenderOptions&);
     RayTree (*inspect)(const SceneDescription&, Precision, const Probe&);
@@ -100,7 +100,7 @@ Image renderLesson(const SceneDescription& description, Precision precision, con
         using Real = decltype(zero);
         const Scene<Real> scene(description);
         return render<typename Lesson::template Tracer<Real, NoRecorder>>(scene, description.camera.width,
-                                                                         description.camera.height, options);
+                                                                          description.camera.height, options);
     });
 }
 

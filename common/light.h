@@ -11,7 +11,7 @@ template <std::floating_point Real>
 struct Light
 {
     Vec3<Real> position{0, 0, 0};
-    Vec3<Real> color{0, 0, 0};   ///< linear RGB at distance 1, at least 0, unbounded
+    Vec3<Real> color{0, 0, 0}; ///< linear RGB at distance 1, at least 0, unbounded
 };
 
 } // namespace rt

@@ -33,12 +33,12 @@ template <std::floating_point Real>
 struct Ray
 {
     Vec3<Real> O{0, 0, 0};
-    Vec3<Real> D{0, 0, 0};            ///< unit length
+    Vec3<Real> D{0, 0, 0}; ///< unit length
     RayKind kind = RayKind::camera;
-    int depth = 0;                    ///< the camera ray has depth 0
-    Real weight = 1;                  ///< its share of what its parent returns, in [0, 1]
-    Real energy = 1;                  ///< largest channel of the throughput from here to the pixel
-    PrimitiveId from = noPrimitive;   ///< the primitive that O lies on
+    int depth = 0;                  ///< the camera ray has depth 0
+    Real weight = 1;                ///< its share of what its parent returns, in [0, 1]
+    Real energy = 1;                ///< largest channel of the throughput from here to the pixel
+    PrimitiveId from = noPrimitive; ///< the primitive that O lies on
 
     /// The next ray of the tree: starts at I, one level deeper, and brings `weight` of its parent's colour, tinted by
     /// a material colour whose largest channel is `tint`. `direction` need not have unit length.

@@ -123,15 +123,15 @@ std::string nodeText(const RayTree& tree, int id)
 std::string toText(const RayTree& tree)
 {
     std::string out = opening(tree);
-    std::vector<int> open;   // nodes whose "return" is still to be written
+    std::vector<int> open; // nodes whose "return" is still to be written
     const auto close = [&](int depth) {
         while (!open.empty() && tree.nodes[std::size_t(open.back())].depth >= depth)
         {
             const auto& node = tree.nodes[std::size_t(open.back())];
             open.pop_back();
             const char* why = node.end == End::none || node.end == End::absorbed ? "" : name(node.end);
-            out += fmt::format("{}return {}{}{}\n", indent(node.depth + 1),
-                               text(node.radiance), *why ? "   // " : "", why);
+            out += fmt::format("{}return {}{}{}\n", indent(node.depth + 1), text(node.radiance), *why ? "   // " : "",
+                               why);
         }
     };
     std::size_t shadow = 0;
@@ -143,7 +143,8 @@ std::string toText(const RayTree& tree)
         for (; shadow < tree.shadows.size() && tree.shadows[shadow].node == node.id; ++shadow)
             out += inner + shadowLine(tree.shadows[shadow]) + "\n";
         if (node.hit && !tree.shadowsOf(node.id).empty())
-            out += fmt::format("{}{} * DirectIllumination( I, N ) = {}\n", inner, text(node.hit->color), text(node.own));
+            out +=
+                fmt::format("{}{} * DirectIllumination( I, N ) = {}\n", inner, text(node.hit->color), text(node.own));
         for (const auto& stop : tree.capped)
             if (stop.node == node.id)
                 out += fmt::format("{}{} ray, D = {}: not followed ({}), {} stands in\n", inner, name(stop.kind),

@@ -15,12 +15,12 @@ namespace rt
 /// Why no child of a node was followed.
 enum class End
 {
-    none,       ///< it has children
-    absorbed,   ///< a surface that does not send the ray on
-    miss,       ///< nothing was hit
-    cap,        ///< the next ray would be deeper than max_depth
-    cutoff,     ///< the next ray could not have added enough
-    black       ///< the surface's colour is black
+    none,     ///< it has children
+    absorbed, ///< a surface that does not send the ray on
+    miss,     ///< nothing was hit
+    cap,      ///< the next ray would be deeper than max_depth
+    cutoff,   ///< the next ray could not have added enough
+    black     ///< the surface's colour is black
 };
 
 struct RayTree
@@ -29,11 +29,11 @@ struct RayTree
     {
         double t = 0;
         Vec3<double> point{0, 0, 0};
-        Vec3<double> normal{0, 0, 0};   ///< outward, unit
-        std::string primitive;          ///< "sphere0": kind, and order in the file among its kind
+        Vec3<double> normal{0, 0, 0}; ///< outward, unit
+        std::string primitive;        ///< "sphere0": kind, and order in the file among its kind
         std::string material;
-        bool inside = false;            ///< the ray arrived from the inner side
-        Vec3<double> color{1, 1, 1};    ///< of the material at this point
+        bool inside = false;         ///< the ray arrived from the inner side
+        Vec3<double> color{1, 1, 1}; ///< of the material at this point
     };
 
     /// One ray that was followed. Nodes stand in preorder; node 0 is the camera ray.
@@ -46,24 +46,24 @@ struct RayTree
         Vec3<double> origin{0, 0, 0};
         Vec3<double> direction{0, 0, 0};
         std::optional<Hit> hit;
-        std::optional<double> n1, n2;           ///< index of refraction before and behind the surface; dielectrics only
-        std::optional<double> fresnel;          ///< reflected share that the lesson used
-        double weight = 1;                      ///< share of its parent
-        Vec3<double> throughput{1, 1, 1};       ///< factor from this node's radiance to the pixel
-        Vec3<double> radiance{0, 0, 0};         ///< what it returned
-        Vec3<double> own{0, 0, 0};              ///< the part of `radiance` that came from no child
-        Vec3<double> contribution{0, 0, 0};     ///< throughput * (own and the stand-ins of capped children)
+        std::optional<double> n1, n2;       ///< index of refraction before and behind the surface; dielectrics only
+        std::optional<double> fresnel;      ///< reflected share that the lesson used
+        double weight = 1;                  ///< share of its parent
+        Vec3<double> throughput{1, 1, 1};   ///< factor from this node's radiance to the pixel
+        Vec3<double> radiance{0, 0, 0};     ///< what it returned
+        Vec3<double> own{0, 0, 0};          ///< the part of `radiance` that came from no child
+        Vec3<double> contribution{0, 0, 0}; ///< throughput * (own and the stand-ins of capped children)
         End end = End::none;
-        bool tir = false;                       ///< total internal reflection
-        bool orphan = false;                    ///< its parent could not be told from its depth
-        int line = 0;                           ///< of the lesson's trace.h where the ray was followed; 0: unknown
-        int returnLine = 0;                     ///< where it returned
+        bool tir = false;    ///< total internal reflection
+        bool orphan = false; ///< its parent could not be told from its depth
+        int line = 0;        ///< of the lesson's trace.h where the ray was followed; 0: unknown
+        int returnLine = 0;  ///< where it returned
     };
 
     struct Shadow
     {
-        int node = 0;    ///< the node at whose hit point it starts
-        int light = 0;   ///< order in the file
+        int node = 0;  ///< the node at whose hit point it starts
+        int light = 0; ///< order in the file
         Vec3<double> direction{0, 0, 0};
         double distance = 0;
         bool visible = false;
@@ -72,14 +72,14 @@ struct RayTree
             std::string primitive;
             Vec3<double> point{0, 0, 0};
         };
-        std::optional<Blocker> blocker;   ///< the nearest thing in the way
+        std::optional<Blocker> blocker; ///< the nearest thing in the way
         int line = 0;
     };
 
     /// A ray that was not followed, and the colour that stood in for what it would have brought.
     struct Capped
     {
-        int node = 0;   ///< the node that would have been its parent
+        int node = 0; ///< the node that would have been its parent
         RayKind kind = RayKind::reflected;
         Vec3<double> direction{0, 0, 0};
         double weight = 1;
@@ -89,10 +89,10 @@ struct RayTree
     };
 
     int version = 1;
-    int lesson = 0;      ///< 0: not one of the lessons
-    std::string scene;   ///< file of the scene
+    int lesson = 0;    ///< 0: not one of the lessons
+    std::string scene; ///< file of the scene
     std::string real = "double";
-    std::optional<std::array<int, 2>> pixel;   ///< x right, y down; empty when a ray was given
+    std::optional<std::array<int, 2>> pixel; ///< x right, y down; empty when a ray was given
     int maxDepth = 0;
     std::vector<Node> nodes;
     std::vector<Shadow> shadows;
@@ -104,8 +104,8 @@ struct RayTree
     std::vector<int> shadowsOf(int node) const;
 };
 
-const char* name(RayKind kind);   ///< "camera", "reflected", "transmitted"
-const char* name(End end);        ///< "none", "absorbed", "miss", ...
+const char* name(RayKind kind); ///< "camera", "reflected", "transmitted"
+const char* name(End end);      ///< "none", "absorbed", "miss", ...
 
 /// What the root returns according to the tree alone: each node's own colour plus weight * (hit.color * child) for each
 /// child, bottom-up, in Real arithmetic. For float and double these are the bits of nodes[0].radiance.

@@ -70,8 +70,7 @@ Json nodeJson(const RayTree::Node& node)
 Json shadowJson(const RayTree::Shadow& shadow)
 {
     Json blocker = nullptr;
-    if (shadow.blocker)
-        blocker = {{"primitive", shadow.blocker->primitive}, {"point", triple(shadow.blocker->point)}};
+    if (shadow.blocker) blocker = {{"primitive", shadow.blocker->primitive}, {"point", triple(shadow.blocker->point)}};
     return {{"node", shadow.node},
             {"light", shadow.light},
             {"direction", triple(shadow.direction)},
@@ -143,7 +142,8 @@ public:
         if (!value.is_array() || value.size() != 3) fail(key, "an array of 3 numbers");
         for (std::size_t i = 0; i < 3; ++i)
         {
-            if (!value[i].is_number() || !std::isfinite(value[i].get<double>())) fail(key, "an array of 3 finite numbers");
+            if (!value[i].is_number() || !std::isfinite(value[i].get<double>()))
+                fail(key, "an array of 3 finite numbers");
             v[int(i)] = value[i].get<double>();
         }
         return v;
@@ -206,8 +206,7 @@ RayTree::Node readNode(const Reader& in, int id)
     node.radiance = in.triple("radiance");
     node.contribution = in.triple("contribution");
     if (in.has("own")) node.own = in.triple("own");
-    if (in.has("end"))
-        node.end = in.choice("end", {End::absorbed, End::miss, End::cap, End::cutoff, End::black});
+    if (in.has("end")) node.end = in.choice("end", {End::absorbed, End::miss, End::cap, End::cutoff, End::black});
     if (in.has("tir")) node.tir = in.boolean("tir");
     if (in.has("orphan")) node.orphan = in.boolean("orphan");
     if (in.has("line")) node.line = in.integer("line", 0, 1 << 30);
@@ -263,7 +262,8 @@ std::vector<Item> readArray(const Json& json, const char* key, Read&& read)
 std::string toJson(const RayTree& tree)
 {
     Json json = {{"version", tree.version}, {"lesson", tree.lesson}, {"scene", tree.scene}, {"real", tree.real}};
-    if (tree.pixel) json["pixel"] = *tree.pixel;
+    if (tree.pixel)
+        json["pixel"] = *tree.pixel;
     else if (!tree.nodes.empty())
         json["ray"] = {{"origin", triple(tree.nodes[0].origin)}, {"direction", triple(tree.nodes[0].direction)}};
     json["max_depth"] = tree.maxDepth;

@@ -17,10 +17,10 @@ namespace rt
 
 struct RenderOptions
 {
-    int spp = 1;       ///< samples per pixel; 1 is the pixel's centre
-    int threads = 0;   ///< 0: one a core
-    std::function<void(double)> progress;      ///< called now and then, from any thread, with the share done in [0, 1]
-    const std::atomic<bool>* stop = nullptr;   ///< set it to interrupt; the picture is then incomplete
+    int spp = 1;                             ///< samples per pixel; 1 is the pixel's centre
+    int threads = 0;                         ///< 0: one a core
+    std::function<void(double)> progress;    ///< called now and then, from any thread, with the share done in [0, 1]
+    const std::atomic<bool>* stop = nullptr; ///< set it to interrupt; the picture is then incomplete
 };
 
 /// Where sample `index` of a pixel lies in it, in [0, 1)². The R2 sequence (Roberts 2018), whose first point is the centre.
@@ -60,8 +60,7 @@ Image render(const Scene<Real>& scene, int width, int height, const RenderOption
         Tracer tracer{scene};
         const int left = tile % columns * side, top = tile / columns * side;
         for (int y = top; y < std::min(top + side, height); ++y)
-            for (int x = left; x < std::min(left + side, width); ++x)
-                try
+            for (int x = left; x < std::min(left + side, width); ++x) try
                 {
                     image.at(x, y) = Vec3<double>(renderPixel(scene, tracer, x, y, options.spp));
                 }

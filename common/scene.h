@@ -22,7 +22,7 @@ public:
     Camera<Real> camera;
     TraceSettings settings;
     Vec3<Real> sky;
-    std::vector<Material<Real>> materials;   ///< the described ones, then one for each checker
+    std::vector<Material<Real>> materials; ///< the described ones, then one for each checker
     std::vector<Sphere<Real>> spheres;
     std::vector<Plane<Real>> planes;
     std::vector<Triangle<Real>> triangles;
@@ -85,15 +85,14 @@ Scene<Real>::Scene(const SceneDescription& description)
     for (const auto& s : description.spheres)
     {
         const std::string name = "sphere" + std::to_string(spheres.size());
-        spheres.push_back({narrow<Real>(s.center, name + ".center"), narrow<Real>(s.radius, name + ".radius"),
-                           s.material});
+        spheres.push_back(
+            {narrow<Real>(s.center, name + ".center"), narrow<Real>(s.radius, name + ".radius"), s.material});
     }
     for (const auto& p : description.planes)
     {
         const std::string name = "plane" + std::to_string(planes.size());
-        Plane<Real> plane{.P = narrow<Real>(p.point, name + ".point"),
-                          .N = unit(Vec3<Real>(unit(p.normal))),
-                          .material = p.material};
+        Plane<Real> plane{
+            .P = narrow<Real>(p.point, name + ".point"), .N = unit(Vec3<Real>(unit(p.normal))), .material = p.material};
         if (p.hasChecker)
         {
             plane.checkerMaterial = int(materials.size());

@@ -17,9 +17,9 @@ struct CameraDescription
     Vec3<double> eye{0, 0, 0};
     Vec3<double> target{0, 0, -1};
     Vec3<double> up{0, 1, 0};
-    double verticalFov = 40;                ///< degrees, in (0, 180)
-    int width = 640, height = 480;          ///< pixels
-    int pixelX = -1, pixelY = -1;           ///< the pixel worth clicking; -1: the middle of the picture
+    double verticalFov = 40;       ///< degrees, in (0, 180)
+    int width = 640, height = 480; ///< pixels
+    int pixelX = -1, pixelY = -1;  ///< the pixel worth clicking; -1: the middle of the picture
 };
 
 /// What a ray that may not be traced returns.
@@ -34,7 +34,7 @@ enum class FresnelModel
 {
     exact,
     schlick,
-    none   ///< everything is transmitted: the idealised glass of lesson 05
+    none ///< everything is transmitted: the idealised glass of lesson 05
 };
 
 enum class ShadowThroughGlass
@@ -46,8 +46,8 @@ enum class ShadowThroughGlass
 /// The policies of tracing.
 struct TraceSettings
 {
-    int maxDepth = 8;      ///< rays of this depth are traced, deeper ones are not; the camera ray has depth 0
-    double cutoff = 0;     ///< rays that could add less than this to a pixel are not traced
+    int maxDepth = 8;  ///< rays of this depth are traced, deeper ones are not; the camera ray has depth 0
+    double cutoff = 0; ///< rays that could add less than this to a pixel are not traced
     AtCap atCap = AtCap::black;
     FresnelModel fresnel = FresnelModel::exact;
     ShadowThroughGlass shadowThroughGlass = ShadowThroughGlass::block;
@@ -84,7 +84,7 @@ struct TriangleDescription
 
 struct SceneDescription
 {
-    std::string file;    ///< where it came from, for messages and trees
+    std::string file; ///< where it came from, for messages and trees
     std::string title;
     CameraDescription camera;
     TraceSettings trace;
@@ -94,7 +94,7 @@ struct SceneDescription
     std::vector<PlaneDescription> planes;
     std::vector<TriangleDescription> triangles;
     std::vector<Light<double>> lights;
-    std::vector<std::string> warnings;   ///< what was left out on reading, each as `file:line:column: why`
+    std::vector<std::string> warnings; ///< what was left out on reading, each as `file:line:column: why`
 
     /// The pixel worth clicking, kept inside the picture.
     std::array<int, 2> pixel() const

@@ -117,13 +117,13 @@ void refuseOtherThanUtf8(std::string_view text, const std::string& name)
 /// How many times, from the dot at `i` on, a name and one more dot follow. Bare names and both kinds of quoted ones count.
 int dotsInChain(std::string_view text, std::size_t i, int most)
 {
-    const auto skipWhile = [&](auto isSkipped)
-    {
+    const auto skipWhile = [&](auto isSkipped) {
         while (i < text.size() && isSkipped(text[i])) ++i;
     };
     const auto isBlank = [](char c) { return c == ' ' || c == '\t'; };
-    const auto isBare = [](char c)
-    { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-'; };
+    const auto isBare = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+    };
 
     int dots = 0;
     while (i < text.size() && text[i] == '.' && dots < most)
@@ -435,8 +435,7 @@ SceneDescription guarded(const std::string& name, Read&& read)
 
 SceneDescription parseScene(std::string_view text, const std::string& name)
 {
-    const auto read = [&]
-    {
+    const auto read = [&] {
         constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
         const auto plain = text.substr(text.starts_with(byteOrderMark) ? byteOrderMark.size() : 0);
         refuseOtherThanUtf8(plain, name);

@@ -12,7 +12,7 @@ template <std::floating_point Real>
 struct Sphere
 {
     Vec3<Real> C{0, 0, 0};
-    Real r = 1;   ///< > 0
+    Real r = 1; ///< > 0
     int material = 0;
 };
 
@@ -20,12 +20,12 @@ struct Sphere
 template <std::floating_point Real>
 struct Plane
 {
-    Vec3<Real> P{0, 0, 0};   ///< any point of the plane
-    Vec3<Real> N{0, 1, 0};   ///< unit length
+    Vec3<Real> P{0, 0, 0}; ///< any point of the plane
+    Vec3<Real> N{0, 1, 0}; ///< unit length
     int material = 0;
-    int checkerMaterial = -1;   ///< of the odd cells; -1: no checker
-    Real checkerSize = 1;       ///< side of a cell, > 0
-    Vec3<Real> U{1, 0, 0};      ///< the checker's axes, unit vectors in the plane
+    int checkerMaterial = -1; ///< of the odd cells; -1: no checker
+    Real checkerSize = 1;     ///< side of a cell, > 0
+    Vec3<Real> U{1, 0, 0};    ///< the checker's axes, unit vectors in the plane
     Vec3<Real> V{0, 0, 1};
 
     /// The material at point I of the plane: even cells floor(u / size) + floor(v / size) have the first one.
@@ -41,7 +41,7 @@ template <std::floating_point Real>
 struct Triangle
 {
     Vec3<Real> a{0, 0, 0}, b{0, 0, 0}, c{0, 0, 0};
-    Vec3<Real> N{0, 0, 0};   ///< unit(cross(b - a, c - a))
+    Vec3<Real> N{0, 0, 0}; ///< unit(cross(b - a, c - a))
     int material = 0;
 };
 

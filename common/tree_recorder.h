@@ -38,8 +38,13 @@ public:
             node.orphan = node.id != 0 || node.depth != 0;
         if (hit)
         {
-            node.hit = {double(hit->t), Vec3<double>(hit->I), Vec3<double>(hit->outwardNormal()),
-                        scene->primitiveName(hit->I.on), hit->mat.name, hit->inside, Vec3<double>(hit->mat.color)};
+            node.hit = {double(hit->t),
+                        Vec3<double>(hit->I),
+                        Vec3<double>(hit->outwardNormal()),
+                        scene->primitiveName(hit->I.on),
+                        hit->mat.name,
+                        hit->inside,
+                        Vec3<double>(hit->mat.color)};
             if (hit->mat.isDielectric())
             {
                 node.n1 = double(hit->n1);
@@ -82,10 +87,7 @@ public:
         setOwn(tree->nodes[std::size_t(open.back().node)], color);
     }
 
-    void capped(const Ray<Real>& ray, SourceLine where = SourceLine::current())
-    {
-        capped(ray, Vec3<Real>(0), where);
-    }
+    void capped(const Ray<Real>& ray, SourceLine where = SourceLine::current()) { capped(ray, Vec3<Real>(0), where); }
 
     void capped(const Ray<Real>& ray, const Vec3<Real>& color, SourceLine where = SourceLine::current())
     {
@@ -122,7 +124,7 @@ private:
 
     RayTree* tree = nullptr;
     const Scene<Real>* scene = nullptr;
-    std::vector<Open> open;   // the nodes from the root to the current one
+    std::vector<Open> open; // the nodes from the root to the current one
 
     RayTree::Node* openNode() { return open.empty() ? nullptr : &tree->nodes[std::size_t(open.back().node)]; }
 

@@ -76,7 +76,8 @@ int renderPicture(const LessonEntry& lesson, const SceneDescription& scene, cons
     return exitDone;
 }
 
-int run(const LessonEntry& lesson, const SceneDescription& scene, const LessonOptions& options, const std::string& command)
+int run(const LessonEntry& lesson, const SceneDescription& scene, const LessonOptions& options,
+        const std::string& command)
 {
     checkModels(lesson, scene, options.force);
     if (options.wantsTree()) printTree(lesson, scene, options);

@@ -6,7 +6,6 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
-#include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkShaderProperty.h>
@@ -28,11 +27,11 @@ void addToLight(vtkActor* actor, const char* code)
 constexpr const char* chrome = R"(
     vec3 n = normalize(normalVCVSOutput);
     vec3 r = reflect(vec3(0.0, 0.0, -1.0), n);
-    vec3 above = mix(vec3(0.80, 0.86, 0.92), vec3(0.20, 0.27, 0.36), smoothstep(0.0, 0.9, r.y));
-    vec3 below = mix(vec3(0.36, 0.38, 0.42), vec3(0.10, 0.12, 0.15), smoothstep(0.0, -0.8, r.y));
+    vec3 above = mix(vec3(0.92, 0.95, 0.98), vec3(0.34, 0.42, 0.52), smoothstep(0.0, 0.9, r.y));
+    vec3 below = mix(vec3(0.52, 0.54, 0.57), vec3(0.20, 0.22, 0.25), smoothstep(0.0, -0.8, r.y));
     vec3 studio = mix(below, above, smoothstep(-0.06, 0.06, r.y));
     float rim = pow(1.0 - abs(n.z), 3.0);
-    fragOutput0.rgb = mix(diffuseColor * studio * 0.8, vec3(0.75, 0.82, 0.9), 0.35 * rim) + 0.5 * specular;
+    fragOutput0.rgb = mix(diffuseColor * studio * 0.95, vec3(0.75, 0.82, 0.9), 0.35 * rim) + 0.5 * specular;
 )";
 
 constexpr const char* glass = R"(
@@ -100,8 +99,8 @@ vtkSmartPointer<vtkActor> meshActor(const Mesh& mesh, Finish finish, bool transl
     setMesh(actor, mesh);
     auto* property = actor->GetProperty();
     property->SetInterpolationToPhong();
-    property->SetAmbient(finish == Finish::vivid ? 0.55 : 0.22);
-    property->SetDiffuse(finish == Finish::vivid ? 0.55 : 0.8);
+    property->SetAmbient(finish == Finish::vivid ? 0.7 : 0.24);
+    property->SetDiffuse(finish == Finish::vivid ? 0.45 : 0.85);
     property->SetSpecular(finish == Finish::matte ? 0.12 : finish == Finish::vivid ? 0.1 : 0.7);
     property->SetSpecularPower(finish == Finish::matte ? 20 : 60);
     if (finish == Finish::plain) property->LightingOff();

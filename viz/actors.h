@@ -2,6 +2,7 @@
 #pragma once
 
 #include <vtkActor.h>
+#include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkTexture.h>
 

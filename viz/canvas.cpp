@@ -5,6 +5,7 @@
 
 #include <vtkBrush.h>
 #include <vtkPen.h>
+#include <vtkStdString.h>
 
 namespace rt::viz
 {
@@ -25,7 +26,7 @@ double Canvas::text(double x, double y, const std::string& text, const TextLook&
 {
     if (text.empty()) return 0;
     apply(look);
-    context->DrawString(float(std::round(x)), float(std::round(y)), text);
+    context->DrawString(float(std::round(x)), float(std::round(y)), vtkStdString(text));
     return textWidth(text, look);
 }
 
@@ -34,7 +35,7 @@ double Canvas::textWidth(const std::string& text, const TextLook& look)
     if (text.empty()) return 0;
     apply(look);
     float bounds[4] = {0, 0, 0, 0};
-    context->ComputeStringBounds(text, bounds);
+    context->ComputeStringBounds(vtkStdString(text), bounds);
     return double(bounds[2]);
 }
 

@@ -32,7 +32,7 @@ const RayTree::Node* Controller::node() const
 void Controller::traceTree()
 {
     const auto* before = node();
-    const RayKind kind = before ? before->kind : camera;
+    const RayKind kind = before ? before->kind : RayKind::camera;
     const int depth = before ? before->depth : 0;
     rays = session.lesson->inspect(session.scene, session.precision, session.probe);
     const auto* after = node();

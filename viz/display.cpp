@@ -44,7 +44,8 @@ void restartWithDisplay(char** argv, int width, int height)
     if (std::getenv(guard) || !isInPath("xvfb-run") || !isInPath("Xvfb")) return;
     setenv(guard, "1", 1);
     std::string program = argv[0];
-    if (std::error_code error; auto self = std::filesystem::read_symlink("/proc/self/exe", error), !error) program = self;
+    std::error_code error;
+    if (const auto self = std::filesystem::read_symlink("/proc/self/exe", error); !error) program = self.string();
     const auto screen = fmt::format("-screen 0 {}x{}x24", width, height);
     std::vector<const char*> arguments{"xvfb-run", "-a", "-s", screen.c_str(), program.c_str()};
     for (char** argument = argv + 1; *argument; ++argument) arguments.push_back(*argument);

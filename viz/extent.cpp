@@ -64,7 +64,7 @@ Extent objectExtent(const SceneDescription& scene)
 {
     const double distance = lookingDistance(scene.camera);
     Extent extent = around(objectPoints(scene), {scene.camera.target, 0.4 * distance});
-    extent.radius = std::max(extent.radius, 0.02 * distance);
+    extent.radius = std::max(extent.radius, 0.3 * distance);
     return extent;
 }
 

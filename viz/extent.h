@@ -22,7 +22,7 @@ struct Extent
 Extent around(const std::vector<vec3>& points, const Extent& fallback);
 
 /// Around the objects that have a size a camera would look at: planes, and spheres that serve as a floor, do not count.
-/// Without objects: around what the camera looks at.
+/// Not smaller than a part of the distance that the camera looks. Without objects: around what the camera looks at.
 Extent objectExtent(const SceneDescription& scene);
 
 /// Corners of the objects' bounding boxes, the same objects that objectExtent counts.

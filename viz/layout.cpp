@@ -15,7 +15,7 @@ Layout layoutFor(int width, int height)
     const int titleHeight = std::clamp(int(46 * layout.scale), 1, height / 4);
     const int stripHeight = std::clamp(int(34 * layout.scale), 1, height / 4);
     const int columnHeight = height - titleHeight - stripHeight, column = std::max(2, width * 37 / 100);
-    const int imageHeight = std::clamp(std::min(column * 3 / 4, columnHeight * 47 / 100), 1, columnHeight - 1);
+    const int imageHeight = std::clamp(std::min(column * 3 / 4, columnHeight * 45 / 100), 1, columnHeight - 1);
 
     layout.title = {0, height - titleHeight, width, titleHeight};
     layout.strip = {0, 0, width, stripHeight};

@@ -29,6 +29,20 @@ std::size_t byteAfter(const std::string& text, std::size_t count)
     return i;
 }
 
+/// The last space at or before `limit`, on request only outside of parentheses; 0 if there is none.
+std::size_t lastSpace(const std::string& text, std::size_t limit, bool outside)
+{
+    std::size_t found = 0;
+    int depth = 0;
+    for (std::size_t i = 0; i <= limit && i < text.size(); ++i)
+    {
+        if (text[i] == '(') ++depth;
+        if (text[i] == ')') --depth;
+        if (text[i] == ' ' && (!outside || depth <= 0)) found = i;
+    }
+    return found;
+}
+
 void add(std::vector<TextLine>& lines, TextStyle style, const std::string& text, std::size_t columns)
 {
     std::size_t start = 0;
@@ -72,9 +86,10 @@ std::vector<std::string> wrap(const std::string& text, std::size_t columns)
     while (characters(rest) > columns)
     {
         const auto limit = byteAfter(rest, columns);
-        auto space = rest.rfind(' ', limit);
+        auto space = lastSpace(rest, limit, true);
         // Never break within the indent, nor so early that the line is nearly empty.
-        if (space == std::string::npos || space < limit / 3) space = limit;
+        if (space < limit / 3) space = lastSpace(rest, limit, false);
+        if (space < limit / 3) space = limit;
         lines.push_back(rest.substr(0, space));
         const auto next = rest.find_first_not_of(' ', space);
         if (next == std::string::npos) return lines;
@@ -115,8 +130,14 @@ std::vector<TextLine> nodeText(const Controller& controller, std::size_t columns
             columns);
     for (const auto& formula : explainNode(controller.tree(), controller.scene(), node->id))
     {
-        add(lines, TextStyle::title, formula.title, columns);
-        add(lines, TextStyle::symbolic, formula.symbolic, columns);
+        const auto used = characters(formula.title) + characters(formula.symbolic);
+        if (formula.symbolic.find('\n') == std::string::npos && used + 2 <= columns)
+            lines.push_back({TextStyle::title, formula.title, formula.symbolic});
+        else
+        {
+            add(lines, TextStyle::title, formula.title, columns);
+            add(lines, TextStyle::symbolic, formula.symbolic, columns);
+        }
         add(lines, TextStyle::numbers, formula.numbers, columns);
     }
     if (const auto why = whyItEnds(*node, controller.maxDepth()); !why.empty())

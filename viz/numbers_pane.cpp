@@ -113,7 +113,12 @@ void NumbersPane::paint(Canvas& canvas)
         if (middle > area.height - head + lineHeight || middle < -lineHeight) continue;
         switch (line.style)
         {
-        case TextStyle::title: canvas.text(pad, middle, line.text, {Font::bold, 12.5, color::accent}); break;
+        case TextStyle::title:
+        {
+            const double end = pad + canvas.text(pad, middle, line.text, {Font::bold, 12.5, color::accent});
+            canvas.text(end + canvas.px(12), middle, line.besides, {Font::mono, size, color::text});
+            break;
+        }
         case TextStyle::symbolic:
             canvas.text(pad + indent, middle, line.text, {Font::mono, size, color::text});
             break;

@@ -36,17 +36,24 @@ Pane::Pane(Controller& watched) : controller(watched)
         Canvas canvas(painter, scale);
         paint(canvas);
     };
-    actor->GetScene()->AddItem(item);
-    view->AddActor(actor);
+    overlay->GetScene()->AddItem(item);
+    view->AddActor(overlay);
     view->SetBackground(color::panel.r / 255.0, color::panel.g / 255.0, color::panel.b / 255.0);
+}
+
+void Pane::paintIn(vtkRenderer* other)
+{
+    view->RemoveActor(overlay);
+    other->AddActor(overlay);
 }
 
 void Pane::place(const Rect& rect, int windowWidth, int windowHeight, double contentScale)
 {
     area = rect;
     scale = contentScale;
-    view->SetViewport(double(rect.x) / windowWidth, double(rect.y) / windowHeight,
-                      double(rect.x + rect.width) / windowWidth, double(rect.y + rect.height) / windowHeight);
+    for (auto* part : renderers())
+        part->SetViewport(double(rect.x) / windowWidth, double(rect.y) / windowHeight,
+                          double(rect.x + rect.width) / windowWidth, double(rect.y + rect.height) / windowHeight);
     placed();
 }
 

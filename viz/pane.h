@@ -23,6 +23,8 @@ public:
     Pane& operator=(const Pane&) = delete;
 
     vtkRenderer* renderer() { return view; }
+    /// All its renderers, the lowest first.
+    virtual std::vector<vtkRenderer*> renderers() { return {view}; }
     /// Gives the pane its place in a window of this size.
     void place(const Rect& rect, int windowWidth, int windowHeight, double contentScale);
     bool contains(int windowX, int windowY) const { return area.contains(windowX, windowY); }
@@ -41,12 +43,14 @@ protected:
     double scale = 1;
 
     virtual void placed() {}
+    /// Puts what `paint` draws above another renderer.
+    void paintIn(vtkRenderer* other);
     /// Draws the pane, or what lies over its 3D content.
     virtual void paint(Canvas&) {}
 
 private:
     vtkNew<vtkRenderer> view;
-    vtkNew<vtkContextActor> actor;
+    vtkNew<vtkContextActor> overlay;
 };
 
 } // namespace rt::viz

@@ -107,7 +107,7 @@ std::vector<PlanePatch> planePatches(const SceneDescription& scene, const Extent
     return patches;
 }
 
-PatchPicture paint(const PlanePatch& patch, const SceneDescription& scene, int side)
+PatchPicture paintPatch(const PlanePatch& patch, const SceneDescription& scene, int side)
 {
     Painter painter{patch, scene};
     const double primitives = double(scene.spheres.size() + scene.planes.size() + scene.triangles.size());

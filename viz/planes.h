@@ -28,6 +28,6 @@ struct PatchPicture
 };
 
 /// The checker, lit by the scene's lights with their shadows, fading out towards the edge.
-PatchPicture paint(const PlanePatch& patch, const SceneDescription& scene, int side);
+PatchPicture paintPatch(const PlanePatch& patch, const SceneDescription& scene, int side);
 
 } // namespace rt::viz

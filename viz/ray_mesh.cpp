@@ -60,12 +60,21 @@ struct Builder
 
     void addGlow(const Segment& segment, double radius, const Rgba& color)
     {
-        addTube(mesh.fading, segment.from, segment.to, 2.4 * radius, color.withAlpha(0.22),
-                color.withAlpha(segment.fades ? 0 : 0.22));
+        addTube(mesh.glow, segment.from, segment.to, 2.1 * radius, color.withAlpha(0.25),
+                color.withAlpha(segment.fades ? 0 : 0.25));
     }
 
-    void add(const Segment& segment)
+    /// Shadow rays end at the surface of the ball that stands for the light.
+    Segment trimmed(Segment segment) const
     {
+        if (segment.role == RayRole::reaches || segment.role == RayRole::beyond)
+            segment.to -= std::min(lightRadius(drawing), 0.9 * segment.length()) * unit(segment.to - segment.from);
+        return segment;
+    }
+
+    void add(const Segment& whole)
+    {
+        const Segment segment = trimmed(whole);
         if (segment.role == RayRole::normal && !style.withNormals) return;
         const bool selected = segment.node == style.selected && !segment.notTraced;
         double radius = radiusOf(segment);
@@ -111,8 +120,8 @@ RayMesh buildRayMesh(const RayDrawing& drawing, const RayMeshStyle& style)
     for (const auto& segment : drawing.segments) builder.add(segment);
     for (const auto& mark : drawing.blockers)
     {
-        const double size = 4.2 * style.width * tubeRadius(drawing);
-        addCross(builder.mesh.solid, mark.point, size, 0.2 * size, colorOf(RayRole::blocked));
+        const double size = 5 * style.width * tubeRadius(drawing);
+        addCross(builder.mesh.solid, mark.point, size, 0.13 * size, colorOf(RayRole::blocked));
     }
     return builder.mesh;
 }

@@ -11,6 +11,7 @@ struct RayMesh
 {
     Mesh solid;    ///< opaque
     Mesh fading;   ///< with transparency
+    Mesh glow;     ///< around the selected ray, with transparency and without shading
 };
 
 struct RayMeshStyle

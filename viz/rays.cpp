@@ -139,15 +139,19 @@ RayDrawing drawRays(const RayTree& tree, const SceneDescription& scene, const Ex
     return drawer.drawing;
 }
 
+double lightRadius(const RayDrawing& drawing)
+{
+    return 0.045 * drawing.size;
+}
+
 std::vector<vec3> rayPoints(const RayDrawing& drawing, bool withLights)
 {
     std::vector<vec3> points;
     for (const auto& segment : drawing.segments)
     {
-        const bool root = segment.role == RayRole::camera;
         const bool toLight = segment.role == RayRole::reaches || segment.role == RayRole::beyond;
-        if (withLights || !root) points.push_back(segment.from);
-        if (withLights || !toLight) points.push_back(segment.to);
+        points.push_back(segment.from);
+        points.push_back(toLight && !withLights ? segment.from + 0.3 * (segment.to - segment.from) : segment.to);
     }
     return points;
 }

@@ -45,7 +45,10 @@ inline constexpr int mostDrawnNodes = 1500;
 /// no weight are left out.
 RayDrawing drawRays(const RayTree& tree, const SceneDescription& scene, const Extent& objects);
 
-/// The ends of all segments, those of the way to the lights only with `withLights`.
+/// The radius of the ball that stands for a point light.
+double lightRadius(const RayDrawing& drawing);
+
+/// The ends of all segments. Without lights: only the first part of the way to them.
 std::vector<vec3> rayPoints(const RayDrawing& drawing, bool withLights);
 
 /// "D₀", "R₁", "T₂", "L₁", "N₁": the lecture's letter and the node's number.

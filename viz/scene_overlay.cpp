@@ -89,13 +89,35 @@ private:
     {
         const auto& lights = input.controller.scene().lights;
         for (std::size_t i = 0; i < lights.size() && i < 12; ++i)
-            if (const auto at = projector(lights[i].position))
+            if (const auto at = lightAnchor(int(i)))
             {
                 auto& label = add(fmt::format("light {}", i), {Font::sans, 12.5, mix(lightColor(lights[i]), color::text, 0.4)}, 80);
                 label.plate = color::dark.withAlpha(0.55);
                 label.request.anchors = {*at};
-                label.request.gap = canvas.px(5) + 0.09 * input.objects.radius * projector.pixelsPerUnit(lights[i].position);
+                label.request.gap = canvas.px(5) + lightRadius(input.drawing) * projector.pixelsPerUnit(lights[i].position);
             }
+    }
+
+    /// Where the light is, or where the way to it leaves the pane.
+    std::optional<vec2> lightAnchor(int light)
+    {
+        const double edge = canvas.px(26);
+        const auto inside = [&](const vec2& p) {
+            return p[0] > edge && p[1] > edge && p[0] < input.width - edge && p[1] < input.height - edge;
+        };
+        const auto at = projector(input.controller.scene().lights[std::size_t(light)].position);
+        if (at && inside(*at)) return at;
+        for (const auto& segment : input.drawing.segments)
+            if (segment.light == light && (segment.role == RayRole::reaches || segment.role == RayRole::beyond))
+                if (const auto line = projector.segment(segment.from, segment.to))
+                    for (int step = 100; step > 0; --step)
+                    {
+                        const double t = step / 100.0;
+                        const vec2 p{(*line)[0][0] + t * ((*line)[1][0] - (*line)[0][0]),
+                                     (*line)[0][1] + t * ((*line)[1][1] - (*line)[0][1])};
+                        if (inside(p)) return p;
+                    }
+        return std::nullopt;
     }
 
     void addRays()
@@ -234,7 +256,7 @@ Box drawLegend(Canvas& canvas, const OverlayInput& input)
 /// x, y and z of the scene as they are turned now. Returns what they cover.
 Box drawAxes(Canvas& canvas, const OverlayInput& input)
 {
-    const double size = canvas.px(26), cx = input.width - canvas.px(48), cy = input.height - canvas.px(48);
+    const double size = canvas.px(26), cx = input.width - canvas.px(54), cy = input.height - canvas.px(54);
     const vec3 towards = unit(input.view.position - input.view.focal);
     const vec3 right = unit(cross(input.view.up, towards)), up = cross(towards, right);
     struct Axis
@@ -246,6 +268,7 @@ Box drawAxes(Canvas& canvas, const OverlayInput& input)
     std::vector<Axis> axes{{{1, 0, 0}, "x", {240, 128, 128}}, {{0, 1, 0}, "y", {144, 214, 144}}, {{0, 0, 1}, "z", {130, 170, 255}}};
     std::sort(axes.begin(), axes.end(),
               [&](const Axis& a, const Axis& b) { return dot(a.direction, towards) < dot(b.direction, towards); });
+    canvas.disc({cx, cy}, canvas.px(43), color::dark.withAlpha(0.5));
     for (const auto& axis : axes)
     {
         const double x = dot(axis.direction, right), y = dot(axis.direction, up);

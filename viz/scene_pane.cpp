@@ -70,14 +70,18 @@ ScenePane::ScenePane(Controller& watched) : Pane(watched), objects(objectExtent(
     fadingRays = meshActor({}, Finish::vivid, true);
     view->AddActor(solidRays);
     view->AddActor(fadingRays);
+    glow = meshActor({}, Finish::plain, true);
+    view->AddActor(glow);
+    buildFront();
     rebuildRays();
 }
 
-std::vector<vec3> ScenePane::shownPoints() const
+std::vector<vec3> ScenePane::shownPoints(bool withLights) const
 {
     auto points = objectPoints(controller.scene());
-    for (const auto& p : rayPoints(drawing, true)) points.push_back(p);
-    for (const auto& light : controller.scene().lights) points.push_back(light.position);
+    for (const auto& p : rayPoints(drawing, withLights)) points.push_back(p);
+    if (withLights)
+        for (const auto& light : controller.scene().lights) points.push_back(light.position);
     for (const auto& [x, y] : {vec2{0, 0}, {1, 0}, {0, 1}, {1, 1}}) points.push_back(screen.at(x, y));
     points.push_back(screen.eye);
     // What is too far away to be part of the scene would make all the rest tiny.
@@ -90,7 +94,7 @@ std::vector<vec3> ScenePane::shownPoints() const
 void ScenePane::buildObjects()
 {
     const auto& scene = controller.scene();
-    const Extent shown = around(shownPoints(), objects);
+    const Extent shown = around(shownPoints(true), objects);
     const auto meshes = objectMeshes(scene, shown);
     renderer()->AddActor(meshActor(meshes.backdrop, Finish::matte, true));
     renderer()->AddActor(meshActor(meshes.matte, Finish::matte));
@@ -118,7 +122,7 @@ void ScenePane::buildPlanes(const Extent& shown)
     patches = planePatches(scene, ground);
     for (const auto& patch : patches)
     {
-        const auto painted = paint(patch, scene, patchSide);
+        const auto painted = paintPatch(patch, scene, patchSide);
         const auto actor = pictureActor(patch.corner, patch.right, patch.forward, painted.pixels, painted.side, painted.side);
         actor->ForceTranslucentOn();
         renderer()->AddActor(actor);
@@ -136,15 +140,15 @@ void ScenePane::buildPlanes(const Extent& shown)
 void ScenePane::buildLights(const Extent&)
 {
     const auto& scene = controller.scene();
-    const double radius = 0.07 * objects.radius;
+    const double radius = lightRadius(drawing);
     renderer()->AddActor(meshActor(lightMesh(scene, radius), Finish::plain));
-    if (!scene.lights.empty()) renderer()->AddActor(glowActor(scene, 5 * radius));
+    if (!scene.lights.empty()) renderer()->AddActor(glowActor(scene, 7 * radius));
 
     renderer()->SetAutomaticLightCreation(false);
     renderer()->RemoveAllLights();
     vtkNew<vtkLight> headlight;
     headlight->SetLightTypeToHeadlight();
-    headlight->SetIntensity(scene.lights.empty() ? 0.9 : 0.4);
+    headlight->SetIntensity(scene.lights.empty() ? 0.9 : 0.3);
     renderer()->AddLight(headlight);
     // The strongest lamps shine on the objects; how strongly is a matter of looks here.
     std::vector<Light<double>> lamps = scene.lights;
@@ -154,8 +158,11 @@ void ScenePane::buildLights(const Extent&)
     };
     std::stable_sort(lamps.begin(), lamps.end(), [&](const auto& a, const auto& b) { return strength(a) > strength(b); });
     lamps.resize(std::min<std::size_t>(lamps.size(), 3));
+    double all = 0;
+    for (const auto& lamp : lamps) all += strength(lamp);
     for (const auto& lamp : lamps)
     {
+        if (!(all > 0) || !std::isfinite(all)) break;
         vtkNew<vtkLight> light;
         light->SetLightTypeToSceneLight();
         light->PositionalOn();
@@ -164,9 +171,25 @@ void ScenePane::buildLights(const Extent&)
         light->SetFocalPoint(objects.centre.x, objects.centre.y, objects.centre.z);
         const Rgba tint = mix(lightColor(lamp), {255, 255, 255}, 0.3);
         light->SetColor(tint.r / 255.0, tint.g / 255.0, tint.b / 255.0);
-        light->SetIntensity(0.8 * strength(lamp) / strength(lamps.front()));
+        light->SetIntensity(0.9 * strength(lamp) / all);
         renderer()->AddLight(light);
     }
+}
+
+/// Rays and lights behind a wall or below the floor are still faintly seen.
+void ScenePane::buildFront()
+{
+    front->SetLayer(1);
+    front->SetActiveCamera(renderer()->GetActiveCamera());
+    hiddenRays = meshActor({}, Finish::plain, true);
+    const auto hiddenLights = meshActor(lightMesh(controller.scene(), lightRadius(drawing)), Finish::plain, true);
+    for (auto* actor : {hiddenRays.Get(), hiddenLights.Get()})
+    {
+        actor->GetProperty()->SetOpacity(0.22);
+        actor->GetProperty()->BackfaceCullingOn();
+        front->AddActor(actor);
+    }
+    paintIn(front);
 }
 
 void ScenePane::updatePicture()
@@ -181,6 +204,8 @@ void ScenePane::rebuildRays()
                                              .withNormals = controller.showsNormals()});
     setMesh(solidRays, mesh.solid);
     setMesh(fadingRays, mesh.fading);
+    setMesh(glow, mesh.glow);
+    setMesh(hiddenRays, mesh.solid);
 
     Mesh square;
     if (const auto pixel = controller.pixel())
@@ -213,13 +238,21 @@ void ScenePane::placed()
 
 void ScenePane::fitScene()
 {
-    look(fitView(shownPoints(), bestDirection(drawing, controller.scene()), controller.scene().camera.up, aspect()));
+    const vec3 towards = bestDirection(drawing, controller.scene()), up = controller.scene().camera.up;
+    const View all = fitView(shownPoints(true), towards, up, aspect());
+    const View close = fitView(shownPoints(false), towards, up, aspect());
+    // Lights far from everything else may lie outside: the shadow rays point to them.
+    const auto distance = [&](const View& view) { return glm::length(view.position - objects.centre); };
+    look(distance(all) > 1.2 * distance(close) ? close : all);
 }
 
 void ScenePane::fitRays()
 {
     auto points = rayPoints(drawing, false);
-    std::erase_if(points, [&](const vec3& p) { return !(glm::length(p - objects.centre) < 12 * objects.radius); });
+    const bool hasHit = !controller.tree().nodes.empty() && controller.tree().nodes[0].hit;
+    std::erase_if(points, [&](const vec3& p) {
+        return (hasHit && p == screen.eye) || !(glm::length(p - objects.centre) < 12 * objects.radius);
+    });
     // Not closer than a part of the objects is large.
     const Extent rays = around(points, objects);
     for (const vec3& axis : {vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1)})

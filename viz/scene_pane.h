@@ -19,6 +19,8 @@ public:
     bool update(unsigned changes) override;
     bool click(int x, int y) override;
 
+    std::vector<vtkRenderer*> renderers() override { return {renderer(), front}; }
+
     void fitScene();
     void fitRays();
     /// Rough while the user turns the scene, smooth when it stands still.
@@ -29,16 +31,18 @@ private:
     RayDrawing drawing;
     ImagePlane screen;
     std::vector<PlanePatch> patches;
-    vtkSmartPointer<vtkActor> solidRays, fadingRays, picture, chosenPixel;
+    vtkNew<vtkRenderer> front;   // what shines through whatever hides it, and the labels
+    vtkSmartPointer<vtkActor> solidRays, fadingRays, glow, hiddenRays, picture, chosenPixel;
 
     void placed() override;
     void paint(Canvas& canvas) override;
     void buildObjects();
     void buildPlanes(const Extent& shown);
     void buildLights(const Extent& shown);
+    void buildFront();
     void rebuildRays();
     void updatePicture();
-    std::vector<vec3> shownPoints() const;
+    std::vector<vec3> shownPoints(bool withLights) const;
     void look(const View& view);
     View view();
     double aspect() const { return double(area.width) / area.height; }

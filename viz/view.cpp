@@ -40,17 +40,28 @@ bool isOpaque(const Material<double>& material)
     return !material.isDielectric();
 }
 
-struct Judge
+class Judge
 {
-    const RayDrawing& drawing;
-    const SceneDescription& scene;
-    vec3 up = unit(scene.camera.up), forward = unit(scene.camera.target - scene.camera.eye);
+public:
+    vec3 up, forward;
+
+    Judge(const RayDrawing& drawing, const SceneDescription& described)
+        : up(unit(described.camera.up)), forward(unit(described.camera.target - described.camera.eye)), scene(described)
+    {
+        for (const auto& segment : drawing.segments)
+            if (segment.role != RayRole::normal && segment.role != RayRole::beyond && sampled.size() < mostSampled)
+                sampled.push_back(&segment);
+        for (const auto* before : sampled)
+            for (const auto* after : sampled)
+                if (before != after && isRay(*before) && glm::length(after->from - before->to) < 1e-9 * drawing.size)
+                    bends.emplace_back(before, after);
+    }
 
     /// The part of the rays' length that nothing hides.
     double visible(const vec3& towards) const
     {
         double seen = 0, all = 0;
-        for (const auto& segment : sampled())
+        for (const auto& segment : sampled)
             for (const double t : {0.08, 0.35, 0.65, 0.92})
             {
                 const vec3 point = segment->from + t * (segment->to - segment->from);
@@ -68,14 +79,27 @@ struct Judge
     double spread(const vec3& towards) const
     {
         double across = 0, all = 0;
-        for (const auto& segment : sampled())
+        for (const auto& segment : sampled)
         {
             const vec3 d = segment->to - segment->from;
             const double length = glm::length(d), weight = importance(*segment);
-            across += weight * glm::length(d - dot(d, towards) * towards) / length;
+            across += weight * glm::length(flattened(d, towards)) / length;
             all += weight;
         }
         return all > 0 ? across / all : 1;
+    }
+
+    /// How well a ray and the one that follows it can be told apart: the angle between them on the screen.
+    double parting(const vec3& towards) const
+    {
+        double sum = 0;
+        for (const auto& [before, after] : bends)
+        {
+            const vec3 a = flattened(before->from - before->to, towards), b = flattened(after->to - after->from, towards);
+            const double angle = std::acos(std::clamp(dot(unit(a), unit(b)), -1.0, 1.0));
+            sum += std::min(1.0, angle / (35 * pi / 180));
+        }
+        return bends.empty() ? 1 : sum / double(bends.size());
     }
 
     double score(const vec3& towards) const
@@ -88,27 +112,32 @@ struct Judge
             const double side = dot(scene.camera.eye - plane.point, N) < 0 ? -1 : 1;
             if (dot(N, towards) * side < 0.05) behindWalls += 1;
         }
-        const double alongCamera = std::abs(dot(towards, forward));
-        const double mirrored = dot(towards, forward) > 0.35 ? 1 : 0;   // left and right would change places
-        return 2.0 * visible(towards) + 1.6 * spread(towards) - 0.5 * std::max(0.0, alongCamera - 0.6) - 0.6 * mirrored -
+        // The picture on the image plane is seen as the camera sees it, neither from its edge nor from its back; but the
+        // view is not the camera's own.
+        const double behindCamera = -dot(towards, forward);
+        const double edgeOn = std::max(0.0, 0.35 - behindCamera), sameView = std::max(0.0, behindCamera - 0.7);
+        return 2.0 * visible(towards) + 1.2 * spread(towards) + 1.0 * parting(towards) - 0.9 * edgeOn - 1.5 * sameView -
                0.3 * behindWalls;
     }
 
 private:
-    mutable std::vector<const Segment*> chosen;
+    static constexpr std::size_t mostSampled = 60;
+
+    const SceneDescription& scene;
+    std::vector<const Segment*> sampled;
+    std::vector<std::pair<const Segment*, const Segment*>> bends;
+
+    static vec3 flattened(const vec3& d, const vec3& towards) { return d - dot(d, towards) * towards; }
+
+    static bool isRay(const Segment& segment)
+    {
+        return segment.role == RayRole::camera || segment.role == RayRole::reflected ||
+               segment.role == RayRole::transmitted;
+    }
 
     static double importance(const Segment& segment)
     {
         return segment.role == RayRole::reaches || segment.role == RayRole::blocked ? 0.4 : 1;
-    }
-
-    const std::vector<const Segment*>& sampled() const
-    {
-        if (!chosen.empty()) return chosen;
-        for (const auto& segment : drawing.segments)
-            if (segment.role != RayRole::normal && segment.role != RayRole::beyond && chosen.size() < 60)
-                chosen.push_back(&segment);
-        return chosen;
     }
 };
 

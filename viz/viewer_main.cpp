@@ -56,7 +56,9 @@ Session chooseSession(ViewerOptions options)
     const LessonEntry* lesson = options.lesson.empty() ? nullptr : &lessonOf(options.lesson);
     if (!lesson && options.scene.empty()) lesson = startLesson ? findLesson(startLesson) : lessons().back();
     if (options.scene.empty()) options.scene = projectFile(lesson->scene);
-    Session session{.scene = loadScene(options), .precision = options.precision()};
+    Session session;
+    session.scene = loadScene(options);
+    session.precision = options.precision();
     if (!lesson)
     {
         lesson = smallestLesson(session.scene);
@@ -68,7 +70,8 @@ Session chooseSession(ViewerOptions options)
     }
     checkModels(*lesson, session.scene, options.force);
     session.lesson = lesson;
-    session.render = {.spp = options.spp, .threads = options.threads};
+    session.render.spp = options.spp;
+    session.render.threads = options.threads;
     session.render.progress = progressBar(fmt::format("lesson {:02}", lesson->number));
     session.probe = probe(options, session.scene);
     return session;

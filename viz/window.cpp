@@ -31,10 +31,14 @@ Window::Window(Controller& shown, int windowWidth, int windowHeight, bool onScre
     window->SetMultiSamples(0);   // with depth peeling more than 0 loses what is translucent
     window->SetDPI(72);
     window->SetAlphaBitPlanes(true);
+    window->SetNumberOfLayers(2);
     for (auto* pane : panes)
     {
-        window->AddRenderer(pane->renderer());
-        pane->renderer()->SetInteractive(pane == &scene);
+        for (auto* part : pane->renderers())
+        {
+            window->AddRenderer(part);
+            part->SetInteractive(part == scene.renderer());
+        }
     }
     layOut();
     scene.fitScene();
@@ -104,11 +108,18 @@ Pane* Window::paneAt(int x, int y)
     return nullptr;
 }
 
+void Window::drawOnly(const std::vector<Pane*>& some)
+{
+    for (auto* pane : panes)
+        for (auto* part : pane->renderers())
+            part->SetDraw(std::find(some.begin(), some.end(), pane) != some.end());
+}
+
 void Window::redraw(const std::vector<Pane*>& some)
 {
-    for (auto* pane : panes) pane->renderer()->SetDraw(std::find(some.begin(), some.end(), pane) != some.end());
+    drawOnly(some);
     window->Render();
-    for (auto* pane : panes) pane->renderer()->SetDraw(true);
+    drawOnly(panes);
 }
 
 void Window::update(unsigned changes)
@@ -147,7 +158,7 @@ bool Window::wheel(int x, int y, bool forward)
 void Window::beginMotion()
 {
     scene.setMoving(true);
-    for (auto* pane : panes) pane->renderer()->SetDraw(pane == &scene);
+    drawOnly({&scene});
 }
 
 void Window::endMotion()

@@ -59,6 +59,7 @@ private:
     void layOut();
     void resized();
     void update(unsigned changes);
+    void drawOnly(const std::vector<Pane*>& some);
     /// Draws only these panes; the pixels of the others stay.
     void redraw(const std::vector<Pane*>& some);
     void saveScreenshot();

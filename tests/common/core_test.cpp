@@ -49,13 +49,28 @@ TYPED_TEST(Core, APictureMovesNotABitWhenTheSceneIsScaledByAPowerOfTwo)
             const double k = std::ldexp(1.0, power);
             scaled.camera.eye *= k;
             scaled.camera.target *= k;
-            for (auto& sphere : scaled.spheres) { sphere.center *= k; sphere.radius *= k; }
-            for (auto& plane : scaled.planes) { plane.point *= k; plane.checkerSize *= k; }
+            for (auto& sphere : scaled.spheres)
+            {
+                sphere.center *= k;
+                sphere.radius *= k;
+            }
+            for (auto& plane : scaled.planes)
+            {
+                plane.point *= k;
+                plane.checkerSize *= k;
+            }
             for (auto& triangle : scaled.triangles)
                 for (auto& vertex : triangle.vertices) vertex *= k;
-            for (auto& light : scaled.lights) { light.position *= k; light.color *= k * k; }
-            constexpr Precision precision = std::is_same_v<Real, float> ? Precision::floating : std::is_same_v<Real, double> ? Precision::doubled : Precision::longDouble;
-            const Image a = lessons().back()->render(scene, precision, {}), b = lessons().back()->render(scaled, precision, {});
+            for (auto& light : scaled.lights)
+            {
+                light.position *= k;
+                light.color *= k * k;
+            }
+            constexpr Precision precision = std::is_same_v<Real, float>    ? Precision::floating
+                                            : std::is_same_v<Real, double> ? Precision::doubled
+                                                                           : Precision::longDouble;
+            const Image a = lessons().back()->render(scene, precision, {}),
+                        b = lessons().back()->render(scaled, precision, {});
             EXPECT_EQ(a.pixels, b.pixels) << "scaled by 2^" << power << ", seed " << seed;
             for (const auto& pixel : a.pixels) lit += pixel != Vec3<double>(0);
         }
@@ -77,7 +92,8 @@ TYPED_TEST(Core, ARayNeverMeetsWhatItLeaves)
         description.spheres.push_back({center, r, 0});
         const Scene<Real> scene(description);
         const Vec3<double> away(in(-1, 1), in(-1, 1), in(-1, 1) + 1.5);
-        const Ray<Real> ray{.O = Vec3<Real>(center + 3 * r * glm::normalize(away)), .D = unit(Vec3<Real>(-away + Vec3<double>(in(-0.2, 0.2))))};
+        const Ray<Real> ray{.O = Vec3<Real>(center + 3 * r * glm::normalize(away)),
+                            .D = unit(Vec3<Real>(-away + Vec3<double>(in(-0.2, 0.2))))};
         const auto hit = scene.intersect(ray);
         if (!hit) continue;
         for (int k = 0; k < 100; ++k)
@@ -87,7 +103,8 @@ TYPED_TEST(Core, ARayNeverMeetsWhatItLeaves)
             const Real inward = dot(D, Vec3<Real>(hit->I) - scene.spheres[0].C);
             if (inward >= 0)
             {
-                EXPECT_FALSE(next) << "leaving the sphere, it was met again at t = " << double(next->t) << ", r = " << r;
+                EXPECT_FALSE(next) << "leaving the sphere, it was met again at t = " << double(next->t)
+                                   << ", r = " << r;
                 ++outwards;
             }
             else
@@ -121,7 +138,9 @@ TYPED_TEST(Core, AHitPointLiesOnItsSphere)
 TYPED_TEST(Core, TheNormalFacesTheRayAndTheMediaFollow)
 {
     using Real = TypeParam;
-    const Scene<Real> scene(parseScene("[materials.g]\nior = 1.5\nior_outside = 1.25\n[[sphere]]\ncenter = [0, 0, 0]\nradius = 1\nmaterial = 'g'\n", "g"));
+    const Scene<Real> scene(parseScene(
+        "[materials.g]\nior = 1.5\nior_outside = 1.25\n[[sphere]]\ncenter = [0, 0, 0]\nradius = 1\nmaterial = 'g'\n",
+        "g"));
     const auto in = scene.intersect({.O = {0, 0, 3}, .D = {0, 0, -1}});
     const auto out = scene.intersect({.O = {0, 0, 0}, .D = {0, 0, -1}});
     ASSERT_TRUE(in && out);
@@ -237,7 +256,8 @@ TEST(Features, TheSmallestSufficientLessonGivesThePictureOfTheLast)
         auto small = scene;
         small.camera.width = 64;
         small.camera.height = 48;
-        EXPECT_EQ(lesson->render(small, Precision::doubled, {}).pixels, lessons().back()->render(small, Precision::doubled, {}).pixels);
+        EXPECT_EQ(lesson->render(small, Precision::doubled, {}).pixels,
+                  lessons().back()->render(small, Precision::doubled, {}).pixels);
     }
 }
 

@@ -88,8 +88,7 @@ TEST_F(ImageFile, IsWrittenWholeOrNotAtAll)
 TEST_F(ImageFile, ThatIsNoPictureIsRefusedByName)
 {
     std::ofstream(folder / "a.png") << "not a picture";
-    for (const char* name : {"a.png", "none.exr"})
-        try
+    for (const char* name : {"a.png", "none.exr"}) try
         {
             readImage((folder / name).string());
             ADD_FAILURE() << name << " was read";

@@ -120,7 +120,8 @@ std::string paramName(const testing::TestParamInfo<OnRandomScenes::ParamType>& i
 
 INSTANTIATE_TEST_SUITE_P(All, OnRandomScenes,
                          testing::Combine(testing::ValuesIn(lessons().begin(), lessons().end()),
-                                          testing::Values(Precision::floating, Precision::doubled, Precision::longDouble)),
+                                          testing::Values(Precision::floating, Precision::doubled,
+                                                          Precision::longDouble)),
                          paramName);
 
 SceneDescription oneMirror()
@@ -164,25 +165,26 @@ TEST(TreeRecorder, FlagsARayOfUnknownParentAsAnOrphan)
 TEST(TreeRecorder, TakesEventsInAnyOrder)
 {
     const Scene<double> scene(oneMirror());
-    EXPECT_TRUE(rc::check("no sequence of calls makes it crash, and its links stay sound", [&](const std::vector<unsigned>& calls) {
-        RayTree tree;
-        TreeRecorder<double> rec(tree, scene);
-        for (const unsigned call : calls)
-        {
-            Ray<double> ray{.O = {0, 0, 0}, .D = {0, call % 2 ? 1.0 : 0.0, -1}};
-            ray.depth = call % 97 == 0 ? std::numeric_limits<int>::max() : int(call / 8 % 5) - 1;
-            const Point<double> I{{0, 0, -2}, 0};
-            if (call % 8 < 3) rec.ray(ray, scene.intersect(ray));
-            if (call % 8 == 3) rec.shadow(scene.lights[0], I, {0, 1, 0}, 3, call % 16 == 3);
-            if (call % 8 == 4) rec.own({1, 1, 1});
-            if (call % 8 == 5) rec.capped(ray);
-            if (call % 8 > 5) rec.color({1, 2, 3});
-        }
-        for (const auto& node : tree.nodes) RC_ASSERT(node.parent < node.id);
-        for (const auto& shadow : tree.shadows) RC_ASSERT(shadow.node < int(tree.nodes.size()));
-        RC_ASSERT(!toText(tree).empty());
-        RC_ASSERT(toJson(rayTreeFromJson(toJson(tree))) == toJson(tree));
-    }));
+    EXPECT_TRUE(rc::check("no sequence of calls makes it crash, and its links stay sound",
+                          [&](const std::vector<unsigned>& calls) {
+                              RayTree tree;
+                              TreeRecorder<double> rec(tree, scene);
+                              for (const unsigned call : calls)
+                              {
+                                  Ray<double> ray{.O = {0, 0, 0}, .D = {0, call % 2 ? 1.0 : 0.0, -1}};
+                                  ray.depth = call % 97 == 0 ? std::numeric_limits<int>::max() : int(call / 8 % 5) - 1;
+                                  const Point<double> I{{0, 0, -2}, 0};
+                                  if (call % 8 < 3) rec.ray(ray, scene.intersect(ray));
+                                  if (call % 8 == 3) rec.shadow(scene.lights[0], I, {0, 1, 0}, 3, call % 16 == 3);
+                                  if (call % 8 == 4) rec.own({1, 1, 1});
+                                  if (call % 8 == 5) rec.capped(ray);
+                                  if (call % 8 > 5) rec.color({1, 2, 3});
+                              }
+                              for (const auto& node : tree.nodes) RC_ASSERT(node.parent < node.id);
+                              for (const auto& shadow : tree.shadows) RC_ASSERT(shadow.node < int(tree.nodes.size()));
+                              RC_ASSERT(!toText(tree).empty());
+                              RC_ASSERT(toJson(rayTreeFromJson(toJson(tree))) == toJson(tree));
+                          }));
 }
 
 TEST(TreeRecorder, WithoutATreeRecordsNothing)
@@ -208,14 +210,14 @@ TEST(RayTreeJson, NamesThePlaceOfWhatIsWrong)
     const std::vector<std::tuple<std::string, std::string, std::string>> faults{
         {"\"version\": 1", "\"version\": 2", "tree.version: expected a whole number from 1 to 1"},
         {"\"parent\": 0", "\"parent\": 1", "nodes[1].parent: expected a whole number from -1 to 0"},
-        {"\"kind\": \"reflected\"", "\"kind\": \"bent\"", "nodes[1].kind: expected one of camera, reflected, transmitted"},
+        {"\"kind\": \"reflected\"", "\"kind\": \"bent\"",
+         "nodes[1].kind: expected one of camera, reflected, transmitted"},
         {"\"weight\": 1.0", "\"weight\": null", "nodes[0].weight: expected a finite number"},
         {"\"depth\": 0", "\"deep\": 0", "nodes[0]: the key \"depth\" is missing"},
         {"\"shadows\": []", "\"shadows\": {}", "shadows: expected an array"},
         {"{", "[", "not JSON"},
     };
-    for (const auto& [what, instead, expected] : faults)
-        try
+    for (const auto& [what, instead, expected] : faults) try
         {
             rayTreeFromJson(without(good, what, instead));
             ADD_FAILURE() << "accepted: " << instead;
@@ -236,14 +238,15 @@ TEST(RayTreeJson, SurvivesDeepNesting)
 TEST(RayTreeText, ReadsLikeTheSlide)
 {
     const auto tree = lessons()[1]->inspect(oneMirror(), Precision::doubled, GivenRay{{0, 0, 0}, {0, 0, -1}});
-    EXPECT_EQ(toText(tree), "one ray of one_mirror.toml, lesson 02, double, MAXDEPTH 8\n"
-                            "\n"
-                            "[0] Trace( camera ray, O = (0, 0, 0), D = (0, 0, -1) )\n"
-                            "    IntersectScene: sphere0, t = 2, I = (0, 0, -2), N = (0, 0, 1), mat = m, color = (0.5, 0.5, 0.5)\n"
-                            "    [1] (0.5, 0.5, 0.5) * Trace( reflected ray, O = (0, 0, -2), D = (0, 0, 1) )\n"
-                            "        IntersectScene: nothing\n"
-                            "        return (0, 0, 0)   // miss\n"
-                            "    return (0, 0, 0)\n");
+    EXPECT_EQ(toText(tree),
+              "one ray of one_mirror.toml, lesson 02, double, MAXDEPTH 8\n"
+              "\n"
+              "[0] Trace( camera ray, O = (0, 0, 0), D = (0, 0, -1) )\n"
+              "    IntersectScene: sphere0, t = 2, I = (0, 0, -2), N = (0, 0, 1), mat = m, color = (0.5, 0.5, 0.5)\n"
+              "    [1] (0.5, 0.5, 0.5) * Trace( reflected ray, O = (0, 0, -2), D = (0, 0, 1) )\n"
+              "        IntersectScene: nothing\n"
+              "        return (0, 0, 0)   // miss\n"
+              "    return (0, 0, 0)\n");
 }
 
 TEST(Explain, GivesEveryFormulaItsNumbers)

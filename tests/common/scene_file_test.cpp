@@ -264,13 +264,17 @@ TEST(SceneFile, TakesLettersOfEveryLength)
 TEST(SceneFile, LeavesOutATriangleWithoutAreaAndSaysSo)
 {
     const std::string head = "materials.m = {}\n";
-    const auto triangle = [](const char* vertices)
-    { return fmt::format("[[triangle]]\nvertices = {}\nmaterial = 'm'\n", vertices); };
+    const auto triangle = [](const char* vertices) {
+        return fmt::format("[[triangle]]\nvertices = {}\nmaterial = 'm'\n", vertices);
+    };
 
     const auto line = parseScene(head + triangle("[[0, 0, 0], [0.1, 0.1, 0.1], [0.3, 0.3, 0.3]]"), "scene.toml");
     EXPECT_TRUE(line.triangles.empty());
     ASSERT_EQ(line.warnings.size(), 1u);
     EXPECT_EQ(line.warnings[0], "scene.toml:3:12: this [[triangle]] has no area and is left out");
+
+    const auto rounded = parseScene(head + triangle("[[0, 0, 0], [0.1, 0.2, 0.3], [0.7, 1.4, 2.1]]"), "scene.toml");
+    EXPECT_TRUE(rounded.triangles.empty());
 
     const auto point = parseScene(head + triangle("[[1, 2, 3], [1, 2, 3], [1, 2, 4]]"), "scene.toml");
     EXPECT_TRUE(point.triangles.empty());
@@ -346,6 +350,7 @@ INSTANTIATE_TEST_SUITE_P(
         bad("ATableTwice", "[sky]\n[camera]\n[sky]", 3, 1, {"cannot redefine existing table 'sky'"}),
         bad("TextThatIsNotUtf8", "title = 'x'\n\xFF = 1", 2, 1, {"byte 0xff is not UTF-8", "expected"}),
         bad("HalfALetter", "# \xC3\xA4\n# \xC3\xA4\xC3", 2, 4, {"byte 0xc3 is not UTF-8"}),
+        bad("AByteAfterAByteOrderMark", "\xEF\xBB\xBF# \xFF", 1, 3, {"byte 0xff is not UTF-8"}),
         bad("AnOverlongLetter", "# \xC0\xAF", 1, 3, {"byte 0xc0 is not UTF-8"}),
         bad("AnOverlongLetterOfThreeBytes", "# \xE0\x80\xAF", 1, 3, {"byte 0xe0 is not UTF-8"}),
         bad("ASurrogate", "# \xED\xA0\x80", 1, 3, {"byte 0xed is not UTF-8"}),
@@ -614,15 +619,13 @@ TEST(SceneFileOnDisk, IsNotReadBeyondTheLimit)
     const auto before = std::signal(SIGPIPE, SIG_IGN); // the writer finds out by an error instead
 
     std::atomic<std::size_t> written = 0;
-    std::thread writer(
-        [&]
-        {
-            const std::string comment = "#" + std::string(65535, '\n');
-            const int file = open(pipe.c_str(), O_WRONLY);
-            for (ssize_t n = 0; written < 2 * largestSceneFile; written += std::size_t(n))
-                if ((n = write(file, comment.data(), comment.size())) < 0) break;
-            close(file);
-        });
+    std::thread writer([&] {
+        const std::string comment = "#" + std::string(65535, '\n');
+        const int file = open(pipe.c_str(), O_WRONLY);
+        for (ssize_t n = 0; written < 2 * largestSceneFile; written += std::size_t(n))
+            if ((n = write(file, comment.data(), comment.size())) < 0) break;
+        close(file);
+    });
     const auto message = loadErrorOf(pipe);
     writer.join();
     std::signal(SIGPIPE, before);
@@ -630,6 +633,51 @@ TEST(SceneFileOnDisk, IsNotReadBeyondTheLimit)
     EXPECT_EQ(message, pipe + ": too large, expected at most 256 MiB");
     EXPECT_GT(written, largestSceneFile);
     EXPECT_LE(written, largestSceneFile + (1 << 20)); // what waits in the pipe counts as written
+}
+
+// ---- the reference -------------------------------------------------------------------------------------------------
+
+std::string reference()
+{
+    std::ifstream file(fs::path(__FILE__).parent_path() / "../../common/SCENES.md");
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(SceneReference, StartsWithASceneThatLoads)
+{
+    const auto text = reference();
+    const std::string fence = "```toml\n";
+    const auto start = text.find(fence) + fence.size();
+    ASSERT_GT(start, fence.size());
+    const auto scene = parseScene(text.substr(start, text.find("```", start) - start), "SCENES.md");
+    EXPECT_EQ(scene.spheres.size(), 1u);
+    EXPECT_EQ(scene.lights.size(), 1u);
+}
+
+TEST(SceneReference, NamesEveryKey)
+{
+    const auto page = reference();
+    int keys = 0;
+    for (const std::string& text :
+         {std::string("[camera]\nzzzz = 1"), std::string("[trace]\nzzzz = 1"), std::string("[sky]\nzzzz = 1"),
+          std::string("[materials.m]\nzzzz = 1"), std::string("[[sphere]]\nzzzz = 1"),
+          std::string("[[plane]]\nzzzz = 1"), plainPlane + "checker = { zzzz = 1 }",
+          std::string("[[triangle]]\nzzzz = 1"), std::string("[[light]]\nzzzz = 1")})
+    {
+        // "unknown key 'zzzz' in ..., expected 'eye', 'target' or 'up'": the known keys stand between quotes.
+        const auto message = errorOf(text);
+        auto quote = message.find("expected");
+        ASSERT_NE(quote, message.npos) << message;
+        while ((quote = message.find('\'', quote)) != message.npos)
+        {
+            const auto end = message.find('\'', quote + 1);
+            const auto key = message.substr(quote + 1, end - quote - 1);
+            EXPECT_NE(page.find("`" + key + "`"), page.npos) << key << " of " << text;
+            quote = end + 1;
+            ++keys;
+        }
+    }
+    EXPECT_EQ(keys, 6 + 5 + 1 + 6 + 3 + 4 + 2 + 2 + 2);
 }
 
 // ---- round trip ----------------------------------------------------------------------------------------------------

@@ -15,7 +15,7 @@ namespace rt::cases
 
 struct Failure
 {
-    std::string what;       ///< the quantity, as in "R of D = (1, -1, 0), N = (0, 1, 0)"
+    std::string what; ///< the quantity, as in "R of D = (1, -1, 0), N = (0, 1, 0)"
     std::string expected;
     std::string got;
 };
@@ -34,7 +34,7 @@ class Check
 {
 public:
     std::vector<Failure> failures;
-    int checked = 0;   ///< a case that checks nothing is itself an error
+    int checked = 0; ///< a case that checks nothing is itself an error
 
     /// |got - expected| <= tolerance * max(1, |expected|); NaN and infinity are never near.
     void near(const std::string& what, double expected, double got, double tolerance)
@@ -78,15 +78,16 @@ enum class Kind
     picture
 };
 
-/// One case on one subject: a lesson in some precision, a solved exercise, a student's exercise, a mutant.
-template <class Subject>
+struct Subject;
+
+/// One thing that is true of a lesson, of a solved exercise and, hopefully, of a student's.
 struct Case
 {
-    const char* group;   ///< "Reflect": cases of one group are worth points together
-    const char* name;    ///< a true sentence in camel case: "KeepsTheAngleToTheNormal"
-    const char* slide;   ///< heading of the lecture
+    const char* group; ///< "Reflect": cases of one group are worth points together
+    const char* name;  ///< a true sentence in camel case: "KeepsTheAngleToTheNormal"
+    const char* slide; ///< heading of the lecture
     Kind kind;
-    void (*run)(Check&);
+    void (*run)(Check&, const Subject&);
 };
 
 } // namespace rt::cases

@@ -4,19 +4,18 @@
 #include <gtest/gtest.h>
 
 #include "common/todo.h"
-#include "tests/lessons/check.h"
+#include "tests/lessons/cases.h"
 
 namespace rt::cases
 {
 
 /// Runs one case; a case that throws anything but NotAttempted has failed.
-template <class Subject>
-Check runCase(const Case<Subject>& which)
+inline Check runCase(const Case& which, const Subject& subject)
 {
     Check check;
     try
     {
-        which.run(check);
+        which.run(check, subject);
     }
     catch (const NotAttempted&)
     {
@@ -29,15 +28,14 @@ Check runCase(const Case<Subject>& which)
     return check;
 }
 
-template <class Subject>
 class CaseTest : public testing::Test
 {
 public:
-    explicit CaseTest(const Case<Subject>& one) : which(one) {}
+    CaseTest(const Case& one, const Subject& of) : which(one), subject(of) {}
 
     void TestBody() override
     {
-        const Check check = runCase(which);
+        const Check check = runCase(which, subject);
         EXPECT_GT(check.checked, 0) << "the case checks nothing";
         for (const auto& failure : check.failures)
             ADD_FAILURE() << "Slide: " << which.slide << "\n  " << failure.what << "\n  expected " << failure.expected
@@ -45,16 +43,28 @@ public:
     }
 
 private:
-    Case<Subject> which;
+    Case which;
+    Subject subject;
 };
 
-/// Registers the cases as GoogleTest tests "subject.Group_Name".
-template <class Subject>
-void registerCases(const std::string& subject, const std::vector<Case<Subject>>& cases)
+/// Registers the cases as GoogleTest tests "suite.Group_Name".
+inline void registerCases(const std::string& suite, const Subject& subject, const std::vector<Case>& cases)
 {
     for (const auto& which : cases)
-        testing::RegisterTest(subject.c_str(), fmt::format("{}_{}", which.group, which.name).c_str(), nullptr, nullptr, __FILE__,
-                              __LINE__, [which]() -> testing::Test* { return new CaseTest<Subject>(which); });
+        testing::RegisterTest(suite.c_str(), fmt::format("{}_{}", which.group, which.name).c_str(), nullptr, nullptr,
+                              __FILE__, __LINE__,
+                              [which, subject]() -> testing::Test* { return new CaseTest(which, subject); });
+}
+
+/// Registers all that must hold for a lesson, on the lesson in float and double and on its solved exercise.
+template <class Lesson, class Solved>
+bool registerLesson(const std::string& number)
+{
+    const auto cases = casesUpTo(Lesson::number);
+    registerCases("Lesson" + number + "Float", lessonSubject<Lesson, float>(), cases);
+    registerCases("Lesson" + number + "Double", lessonSubject<Lesson, double>(), cases);
+    registerCases("Solved" + number, exerciseSubject<Solved>(), cases);
+    return true;
 }
 
 } // namespace rt::cases

@@ -1,7 +1,7 @@
 // What cases run on, and small helpers to set up a scene and ask it for a colour, a tree or a picture.
 #pragma once
 
-#include <concepts>
+#include <functional>
 
 #include "common/lesson_entry.h"
 #include "common/scene_file.h"
@@ -12,66 +12,84 @@ namespace rt::cases
 
 using V = Vec3<double>;
 
-/// A lesson in one precision. `Lesson::Tracer<Real, Recorder>` is its tracer.
-template <class Lesson, std::floating_point Scalar>
-struct LessonSubject
+/// A lesson in some precision, a solved exercise, a student's, or a mutant, behind one face: cases are compiled once and
+/// know nothing of types. Functions that the subject does not have are empty. All may throw NotAttempted.
+struct Subject
 {
-    using Real = Scalar;
-    using Plain = typename Lesson::template Tracer<Real, NoRecorder>;
-    using Recorded = typename Lesson::template Tracer<Real, TreeRecorder<Real>>;
-    using Formulas = Shapes<Real>;
+    double epsilon = 0; ///< of its scalar type
+    std::function<V(const SceneDescription&, const V& origin, const V& direction)> color;
+    std::function<RayTree(const SceneDescription&, const V& origin, const V& direction)> tree;
+    std::function<Image(const SceneDescription&)> picture;
+    std::function<double(const V& origin, const V& direction, const V& center, double radius)>
+        toSphere; ///< t, -1: miss
+    std::function<double(const V& origin, const V& direction, const V& point, const V& normal)> toPlane;
+    std::function<V(const V& D, const V& N)> reflect;
+
+    /// `count` units in the last place of 1, in its precision.
+    double ulps(double count) const { return count * epsilon; }
 };
 
-/// An exercise. Its tracer may bring its own formulas for shapes.
-template <class Tracer>
-struct ExerciseSubject
+template <std::floating_point Real>
+Ray<Real> rayOf(const V& origin, const V& direction)
 {
-    using Real = double;
-    using Plain = Tracer;
-    using Recorded = Tracer;
-    static constexpr bool ownFormulas = requires { &Tracer::intersectSphere; };
-    using Formulas = std::conditional_t<ownFormulas, Tracer, Shapes<double>>;
-};
-
-/// `ulps` units in the last place of 1, in the subject's precision.
-template <class Subject>
-constexpr double ulps(double count)
-{
-    return count * double(std::numeric_limits<typename Subject::Real>::epsilon());
-}
-
-template <class Subject>
-Ray<typename Subject::Real> rayOf(const V& origin, const V& direction)
-{
-    using Real = typename Subject::Real;
     return {.O = Vec3<Real>(origin), .D = unit(Vec3<Real>(direction))};
 }
 
-/// What the subject sees along the ray.
-template <class Subject>
-V colorOf(const SceneDescription& description, const V& origin, const V& direction)
+/// The subject that traces with Plain (no recording) and Recorded. An exercise has one type for both, and may bring its
+/// own formulas for shapes.
+template <std::floating_point Real, class Plain, class Recorded>
+Subject makeSubject()
 {
-    const Scene<typename Subject::Real> scene(description);
-    typename Subject::Plain tracer{scene};
-    return V(tracer.trace(rayOf<Subject>(origin, direction)));
+    Subject subject;
+    subject.epsilon = double(std::numeric_limits<Real>::epsilon());
+    subject.color = [](const SceneDescription& description, const V& origin, const V& direction) {
+        const Scene<Real> scene(description);
+        Plain tracer{scene};
+        return V(tracer.trace(rayOf<Real>(origin, direction)));
+    };
+    subject.tree = [](const SceneDescription& description, const V& origin, const V& direction) {
+        const Scene<Real> scene(description);
+        RayTree tree;
+        tree.maxDepth = description.trace.maxDepth;
+        Recorded tracer{scene, TreeRecorder<Real>(tree, scene)};
+        tracer.trace(rayOf<Real>(origin, direction));
+        return tree;
+    };
+    subject.picture = [](const SceneDescription& description) {
+        return render<Plain>(Scene<Real>(description), description.camera.width, description.camera.height, {});
+    };
+    constexpr bool ownShapes = requires
+    {
+        &Plain::intersectSphere;
+    };
+    using Formulas = std::conditional_t<ownShapes, Plain, Shapes<Real>>;
+    subject.toSphere = [](const V& origin, const V& direction, const V& center, double radius) {
+        const Sphere<Real> sphere{Vec3<Real>(center), Real(radius), 0};
+        return double(Formulas::intersectSphere(rayOf<Real>(origin, direction), sphere).value_or(-1));
+    };
+    subject.toPlane = [](const V& origin, const V& direction, const V& point, const V& normal) {
+        const Plane<Real> plane{.P = Vec3<Real>(point), .N = unit(Vec3<Real>(normal))};
+        return double(Formulas::intersectPlane(rayOf<Real>(origin, direction), plane).value_or(-1));
+    };
+    if constexpr (requires { &Plain::reflect; })
+        subject.reflect = [](const V& D, const V& N) {
+            return V(Plain::reflect(unit(Vec3<Real>(D)), unit(Vec3<Real>(N))));
+        };
+    return subject;
 }
 
-template <class Subject>
-RayTree treeOf(const SceneDescription& description, const V& origin, const V& direction)
+/// `Lesson::Tracer<Real, Recorder>` is its tracer.
+template <class Lesson, std::floating_point Real>
+Subject lessonSubject()
 {
-    const Scene<typename Subject::Real> scene(description);
-    RayTree tree;
-    tree.maxDepth = description.trace.maxDepth;
-    typename Subject::Recorded tracer{scene, TreeRecorder<typename Subject::Real>(tree, scene)};
-    tracer.trace(rayOf<Subject>(origin, direction));
-    return tree;
+    return makeSubject<Real, typename Lesson::template Tracer<Real, NoRecorder>,
+                       typename Lesson::template Tracer<Real, TreeRecorder<Real>>>();
 }
 
-template <class Subject>
-Image pictureOf(const SceneDescription& description)
+template <class Tracer>
+Subject exerciseSubject()
 {
-    const Scene<typename Subject::Real> scene(description);
-    return render<typename Subject::Plain>(scene, description.camera.width, description.camera.height, {});
+    return makeSubject<double, Tracer, Tracer>();
 }
 
 /// A scene of the project, small enough for a golden picture.
@@ -132,13 +150,12 @@ struct Build
 };
 
 /// Compares the subject's 64x48 picture of a scene with the stored one.
-template <class Subject>
-void checkGolden(Check& check, const std::string& scene, const std::string& golden)
+inline void checkGolden(Check& check, const Subject& subject, const std::string& scene, const std::string& golden)
 {
     const Image expected = readImage(std::string(RAYTREE_SOURCE_DIR) + "/tests/lessons/golden/" + golden);
-    const Image got = pictureOf<Subject>(smallScene(scene));
+    const Image got = subject.picture(smallScene(scene));
     // The stored floats keep 24 bits. In float, a pixel on an edge may fall on its other side: at most 1 in 100.
-    constexpr bool single = std::same_as<typename Subject::Real, float>;
+    const bool single = subject.epsilon > 1e-10;
     const Comparison result = compare(got, expected, single ? 1e-4 : 1e-7, single ? 1e-3 : 1e-6);
     check.that(golden + ": same size as the stored picture", result.sameSize);
     const int allowed = single ? int(expected.pixels.size() / 100) : 0;
