@@ -59,7 +59,7 @@ void addTraceOptions(CLI::App& app, TraceOptions& options)
         ->check(CLI::IsMember({"float", "double", "long-double"}))
         ->capture_default_str();
     app.add_option("--depth", options.depth, "MAXDEPTH: rays of this depth are traced, deeper ones are not")
-        ->check(CLI::Range(0, 1024))
+        ->check(CLI::Range(0, deepestTrace))
         ->type_name("N");
     app.add_option("--fresnel", options.fresnel, "how glass splits light; default: the scene's")
         ->check(CLI::IsMember({"exact", "schlick", "none"}));
@@ -107,7 +107,8 @@ SceneDescription loadScene(const TraceOptions& options)
     if (!options.size.empty())
     {
         const auto [width, height] = pairOf(options.size, 'x', "--size", "WxH, as in 640x480");
-        if (width < 1 || height < 1 || width > 65536 || height > 65536 || width * std::int64_t(height) > (1 << 28))
+        if (width < 1 || height < 1 || width > largestSide || height > largestSide ||
+            width * std::int64_t(height) > mostPixels)
             throw CLI::ValidationError("--size", "each side is 1 to 65536 pixels, and there are at most 2^28 pixels");
         auto& camera = scene.camera;
         if (camera.pixelX >= 0) camera.pixelX = int(std::int64_t(camera.pixelX) * width / camera.width);

@@ -192,9 +192,9 @@ struct Reading
 
 void checkView(const SceneTable& table, const CameraDescription& camera)
 {
-    // A camera that looks along `up` has no left and right. Rounding makes the directions of a float tracer unsure by
-    // 1e-7; nearer than this there is no picture worth having.
-    constexpr double parallel = 1e-6;
+    // A camera that looks along `up` has no left and right, and one that nearly does has only the rounding of a float
+    // tracer's directions for it.
+    constexpr double parallel = 8 * double(std::numeric_limits<float>::epsilon());
     const auto placeOfView = table.place(table.has("target") ? "target" : "eye");
 
     if (camera.eye == camera.target)

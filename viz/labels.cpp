@@ -36,6 +36,9 @@ std::vector<Box> candidates(const LabelRequest& request)
 {
     constexpr double pi = 3.14159265358979323846;
     std::vector<Box> boxes;
+    if (request.line >= 0)
+        for (const auto& anchor : request.anchors)
+            boxes.push_back({anchor[0] - request.width / 2, anchor[1] - request.height / 2, request.width, request.height});
     for (const double distance : {1.0, 2.2})
         for (const auto& anchor : request.anchors)
             for (const int eighth : {2, 0, 1, 7, 3, 6, 4, 5})
@@ -71,8 +74,8 @@ std::vector<std::optional<Box>> placeLabels(const std::vector<LabelRequest>& req
             if (box.x < 2 || box.y < 2 || box.x + box.width > width - 2 || box.y + box.height > height - 2) continue;
             if (std::any_of(used.begin(), used.end(), [&](const Box& other) { return box.overlaps(other, 3); })) continue;
             int crossed = 0;
-            if (!request.onLine)
-                for (const auto& line : lines) crossed += crosses(line, box, 1);
+            for (std::size_t i = 0; i < lines.size(); ++i)
+                if (int(i) != request.line) crossed += crosses(lines[i], box, 1);
             if (crossed < fewest)
             {
                 fewest = crossed;

@@ -24,7 +24,7 @@ struct LabelRequest
     double width = 0, height = 0;
     double gap = 6;       ///< distance from the anchor
     int priority = 0;     ///< higher ones choose first
-    bool onLine = false;  ///< it may lie on lines
+    int line = -1;        ///< of this one of the lines: it may lie on it, and does so best
 };
 
 /// A box for each label, or none where everything near its anchors is taken. Labels stay within width x height and keep

@@ -63,7 +63,7 @@ struct Painter
         return sum / double(n * n);
     }
 
-    Rgba at(double u, double v, double step) const
+    Rgba at(double u, double v, double step, const vec3& lightHere) const
     {
         const double edge = std::hypot(2 * u - 1, 2 * v - 1), alpha = 1 - smooth((edge - 0.55) / 0.45);
         if (alpha <= 0) return {0, 0, 0, 0};
@@ -73,7 +73,7 @@ struct Painter
             const vec3 silver = color * vec3(0.30, 0.38, 0.48);
             return Rgba{toSrgb8(silver.x), toSrgb8(silver.y), toSrgb8(silver.z)}.withAlpha(0.42 * alpha);
         }
-        const vec3 lit = color * light(patch.at(u, v));
+        const vec3 lit = color * lightHere;
         const auto screen = [](double x) { return toSrgb8(0.9 * x / (1 + 0.35 * x)); };
         return Rgba{screen(lit.x), screen(lit.y), screen(lit.z)}.withAlpha(alpha);
     }
@@ -112,12 +112,30 @@ PatchPicture paintPatch(const PlanePatch& patch, const SceneDescription& scene, 
     Painter painter{patch, scene};
     const double primitives = double(scene.spheres.size() + scene.planes.size() + scene.triangles.size());
     painter.withShadows = double(side) * side * double(scene.lights.size()) * primitives <= mostShadowTests;
-    PatchPicture picture{side, std::vector<Rgba>(std::size_t(side) * std::size_t(side))};
-    tbb::parallel_for(0, side, [&](int j) {
-        for (int i = 0; i < side; ++i)
-            picture.pixels[std::size_t(j) * std::size_t(side) + std::size_t(i)] =
-                painter.at((i + 0.5) / side, (j + 0.5) / side, 1.0 / side);
-    });
+    const auto index = [side](int i, int j) { return std::size_t(j) * std::size_t(side) + std::size_t(i); };
+    const auto cells = std::size_t(side) * std::size_t(side);
+    std::vector<vec3> light(patch.seeThrough ? 0 : cells);
+    const auto forEach = [side](const auto& work) {
+        tbb::parallel_for(0, side, [&](int j) {
+            for (int i = 0; i < side; ++i) work(i, j, (i + 0.5) / side, (j + 0.5) / side);
+        });
+    };
+    if (!patch.seeThrough)
+        forEach([&](int i, int j, double u, double v) {
+            if (std::hypot(2 * u - 1, 2 * v - 1) < 1.02) light[index(i, j)] = painter.light(patch.at(u, v));
+        });
+
+    // The mean over the neighbours softens the edges of shadows, which are sharper than the cells are small.
+    const auto soft = [&](int i, int j) {
+        if (light.empty()) return vec3(0);
+        vec3 sum(0);
+        for (const int dj : {-1, 0, 1})
+            for (const int di : {-1, 0, 1})
+                sum += light[index(std::clamp(i + di, 0, side - 1), std::clamp(j + dj, 0, side - 1))];
+        return sum / 9.0;
+    };
+    PatchPicture picture{side, std::vector<Rgba>(cells)};
+    forEach([&](int i, int j, double u, double v) { picture.pixels[index(i, j)] = painter.at(u, v, 1.0 / side, soft(i, j)); });
     return picture;
 }
 

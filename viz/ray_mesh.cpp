@@ -33,7 +33,7 @@ struct Builder
     {
         const vec3 axis = unit(segment.to - segment.from);
         const bool thin = isShadow(segment.role) || segment.role == RayRole::normal;
-        double headLength = (thin ? 9 : 6.5) * radius, headRadius = (thin ? 3.2 : 2.7) * radius;
+        double headLength = (thin ? 10 : 7) * radius, headRadius = (thin ? 3.6 : 2.8) * radius;
         const double shrink = std::min(1.0, 0.4 * segment.length() / (2 * headLength));
         headLength *= shrink;
         headRadius *= std::max(0.6, shrink);
@@ -84,7 +84,7 @@ struct Builder
             radius *= 1.25;
             addGlow(segment, radius, mix(color, {255, 255, 255}, 0.5));
         }
-        if (!selected && style.selected >= 0) color = mix(color, color::skyHigh, 0.22);
+        if (!selected && style.selected >= 0) color = mix(color, color::skyHigh, 0.12);
         if (segment.role == RayRole::beyond) return addDashes(segment, radius, color);
         if (segment.fades)
         {
@@ -111,7 +111,7 @@ struct Builder
 
 double tubeRadius(const RayDrawing& drawing)
 {
-    return 0.014 * drawing.size;
+    return 0.0115 * drawing.size;
 }
 
 RayMesh buildRayMesh(const RayDrawing& drawing, const RayMeshStyle& style)

@@ -39,7 +39,11 @@ public:
         : canvas(painter), input(given), projector(given.view, given.width, given.height)
     {
         for (const auto& segment : input.drawing.segments)
-            if (const auto line = projector.segment(segment.from, segment.to)) lines.push_back(*line);
+        {
+            const auto line = projector.segment(segment.from, segment.to);
+            lineOf.push_back(line ? int(lines.size()) : -1);
+            if (line) lines.push_back(*line);
+        }
     }
 
     void paint(const std::vector<Box>& taken)
@@ -59,6 +63,7 @@ private:
     const OverlayInput& input;
     Projector projector;
     std::vector<std::array<vec2, 2>> lines;
+    std::vector<int> lineOf;   // of each segment; -1: it is behind the viewer
     std::vector<Label> labels;
 
     void draw(const Label& label, const Box& box)
@@ -94,7 +99,9 @@ private:
                 auto& label = add(fmt::format("light {}", i), {Font::sans, 12.5, mix(lightColor(lights[i]), color::text, 0.4)}, 80);
                 label.plate = color::dark.withAlpha(0.55);
                 label.request.anchors = {*at};
-                label.request.gap = canvas.px(5) + lightRadius(input.drawing) * projector.pixelsPerUnit(lights[i].position);
+                // Beside the ball, not over it.
+                if (projector(lights[i].position) == at)
+                    label.request.gap += lightRadius(input.drawing) * projector.pixelsPerUnit(lights[i].position);
             }
     }
 
@@ -124,17 +131,17 @@ private:
     {
         const int selected = input.controller.selected();
         int count = 0;
-        for (const auto& segment : input.drawing.segments)
+        for (std::size_t i = 0; i < lineOf.size(); ++i)
         {
-            if (segment.role == RayRole::beyond) continue;
+            const auto& segment = input.drawing.segments[i];
+            if (lineOf[i] < 0 || segment.role == RayRole::beyond) continue;
             if (segment.role == RayRole::normal && !input.controller.showsNormals()) continue;
             const bool chosen = segment.node == selected;
             const bool crowded = input.drawing.nodes > 6;
             if (!chosen && crowded && !isMain(segment.role)) continue;
-            const auto line = projector.segment(segment.from, segment.to);
-            if (!line) continue;
-            const double long_ = std::hypot((*line)[1][0] - (*line)[0][0], (*line)[1][1] - (*line)[0][1]);
-            if (!chosen && long_ < canvas.px(26)) continue;
+            const auto& line = lines[std::size_t(lineOf[i])];
+            const double shown = std::hypot(line[1][0] - line[0][0], line[1][1] - line[0][1]);
+            if (!chosen && shown < canvas.px(26)) continue;
             if (!chosen && ++count > mostRayLabels) continue;
 
             const Rgba kind = colorOf(segment.role);
@@ -142,7 +149,7 @@ private:
             {
                 auto& label = add("MAXDEPTH", {Font::bold, 11, kind}, chosen ? 95 : 40);
                 label.plate = color::dark.withAlpha(0.6);
-                label.request.anchors = {(*line)[1], (*line)[0]};
+                label.request.anchors = {line[1], line[0]};
                 continue;
             }
             const bool main = isMain(segment.role);
@@ -150,8 +157,9 @@ private:
                               (chosen ? 100 : 50) + (main ? 20 : 0) - std::min(segment.node, 30));
             label.plate = main ? kind : color::dark.withAlpha(0.6);
             label.outlined = chosen && main && input.drawing.nodes > 1;
-            label.request.anchors = alongSegment(*line, input.width, input.height);
-            if (segment.role == RayRole::normal) label.request.anchors = {(*line)[1]};
+            label.request.anchors = alongSegment(line, input.width, input.height);
+            if (main && shown > 5 * label.request.width) label.request.line = lineOf[i];
+            if (segment.role == RayRole::normal) label.request.anchors = {line[1]};
         }
     }
 

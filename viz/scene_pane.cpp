@@ -22,6 +22,7 @@ namespace
 {
 
 constexpr int patchSide = 768;      // pixels of a plane's picture
+constexpr double frameWidth = 0.006;    // of the objects' extent
 constexpr int planePicture = 1024;  // largest side of the picture on the image plane
 
 vtkSmartPointer<vtkActor> glowActor(const SceneDescription& scene, double radius)
@@ -100,7 +101,8 @@ void ScenePane::buildObjects()
     renderer()->AddActor(meshActor(meshes.matte, Finish::matte));
     renderer()->AddActor(meshActor(meshes.chrome, Finish::chrome));
     renderer()->AddActor(meshActor(meshes.glass, Finish::glass));
-    renderer()->AddActor(meshActor(cameraMesh(screen, 0.006 * objects.radius), Finish::plain));
+    frustum = meshActor({}, Finish::plain);
+    renderer()->AddActor(frustum);
     buildPlanes(shown);
     buildLights(shown);
 
@@ -201,12 +203,18 @@ void ScenePane::updatePicture()
 void ScenePane::rebuildRays()
 {
     const auto mesh = buildRayMesh(drawing, {.selected = drawing.nodes > 1 ? controller.selected() : -1,
-                                             .withNormals = controller.showsNormals()});
+                                             .withNormals = controller.showsNormals(),
+                                             .width = lineWidth});
     setMesh(solidRays, mesh.solid);
     setMesh(fadingRays, mesh.fading);
     setMesh(glow, mesh.glow);
     setMesh(hiddenRays, mesh.solid);
+    setMesh(frustum, cameraMesh(screen, frameWidth * lineWidth * objects.radius));
+    rebuildChosenPixel();
+}
 
+void ScenePane::rebuildChosenPixel()
+{
     Mesh square;
     if (const auto pixel = controller.pixel())
     {
@@ -217,8 +225,8 @@ void ScenePane::rebuildRays()
         const vec3 corners[] = {screen.at(x - w / 2, y - h / 2), screen.at(x + w / 2, y - h / 2),
                                 screen.at(x + w / 2, y + h / 2), screen.at(x - w / 2, y + h / 2)};
         for (int i = 0; i < 4; ++i)
-            addTube(square, corners[i], corners[(i + 1) % 4], 0.006 * objects.radius, colorOf(RayRole::camera),
-                    colorOf(RayRole::camera));
+            addTube(square, corners[i], corners[(i + 1) % 4], frameWidth * lineWidth * objects.radius,
+                    colorOf(RayRole::camera), colorOf(RayRole::camera));
     }
     setMesh(chosenPixel, square);
 }
@@ -230,10 +238,6 @@ bool ScenePane::update(unsigned changes)
     rebuildRays();
     renderer()->ResetCameraClippingRange();
     return true;
-}
-
-void ScenePane::placed()
-{
 }
 
 void ScenePane::fitScene()
@@ -269,6 +273,27 @@ void ScenePane::look(const View& view)
     camera->SetViewUp(view.up.x, view.up.y, view.up.z);
     camera->SetViewAngle(view.angle);
     renderer()->ResetCameraClippingRange();
+    viewChanged();
+}
+
+void ScenePane::viewChanged()
+{
+    // Lines are at most as wide as suits the scene, and near by not much wider than suits the screen.
+    const View now = view();
+    const Projector projector(now, area.width, area.height);
+    const double widest = tubeRadius(drawing) * projector.pixelsPerUnit(now.focal);
+    const double factor = std::min(1.0, 6 * scale / widest);
+    if (std::abs(factor - lineWidth) < 0.08 * lineWidth) return;
+    lineWidth = factor;
+    rebuildRays();
+}
+
+bool ScenePane::wheel(int, int, bool forward)
+{
+    renderer()->GetActiveCamera()->Dolly(forward ? 1.15 : 1 / 1.15);
+    renderer()->ResetCameraClippingRange();
+    viewChanged();
+    return true;
 }
 
 View ScenePane::view()

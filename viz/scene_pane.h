@@ -18,23 +18,26 @@ public:
     explicit ScenePane(Controller& watched);
     bool update(unsigned changes) override;
     bool click(int x, int y) override;
+    bool wheel(int x, int y, bool forward) override;
 
     std::vector<vtkRenderer*> renderers() override { return {renderer(), front}; }
 
     void fitScene();
     void fitRays();
+    /// Adapts the width of lines to how near the viewer now is.
+    void viewChanged();
     /// Rough while the user turns the scene, smooth when it stands still.
     void setMoving(bool moving);
 
 private:
     Extent objects;
+    double lineWidth = 1;   // factor; less than 1 when the viewer is near
     RayDrawing drawing;
     ImagePlane screen;
     std::vector<PlanePatch> patches;
     vtkNew<vtkRenderer> front;   // what shines through whatever hides it, and the labels
-    vtkSmartPointer<vtkActor> solidRays, fadingRays, glow, hiddenRays, picture, chosenPixel;
+    vtkSmartPointer<vtkActor> solidRays, fadingRays, glow, hiddenRays, frustum, picture, chosenPixel;
 
-    void placed() override;
     void paint(Canvas& canvas) override;
     void buildObjects();
     void buildPlanes(const Extent& shown);
@@ -43,6 +46,7 @@ private:
     void rebuildRays();
     void updatePicture();
     std::vector<vec3> shownPoints(bool withLights) const;
+    void rebuildChosenPixel();
     void look(const View& view);
     View view();
     double aspect() const { return double(area.width) / area.height; }

@@ -113,14 +113,14 @@ void Style::OnMouseWheelForward()
 {
     int x = 0, y = 0;
     this->Interactor->GetEventPosition(x, y);
-    if (window->wheel(x, y, true)) Superclass::OnMouseWheelForward();
+    window->wheel(x, y, true);
 }
 
 void Style::OnMouseWheelBackward()
 {
     int x = 0, y = 0;
     this->Interactor->GetEventPosition(x, y);
-    if (window->wheel(x, y, false)) Superclass::OnMouseWheelBackward();
+    window->wheel(x, y, false);
 }
 
 void Style::OnKeyPress()

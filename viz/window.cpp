@@ -117,9 +117,11 @@ void Window::drawOnly(const std::vector<Pane*>& some)
 
 void Window::redraw(const std::vector<Pane*>& some)
 {
+    auto t0=std::chrono::steady_clock::now();
     drawOnly(some);
     window->Render();
     drawOnly(panes);
+    std::cerr<<some.size()<<" panes "<<std::chrono::duration<double,std::milli>(std::chrono::steady_clock::now()-t0).count()<<" ms\n";
 }
 
 void Window::update(unsigned changes)
@@ -145,14 +147,12 @@ void Window::drag(int fromX, int fromY, int dx, int dy)
         if (pane->drag(dx, dy)) redraw({pane});
 }
 
-bool Window::wheel(int x, int y, bool forward)
+void Window::wheel(int x, int y, bool forward)
 {
     auto* pane = paneAt(x, y);
-    if (pane == &scene) return true;
-    if (!pane) return false;
+    if (!pane) return;
     const int* origin = pane->renderer()->GetOrigin();
     if (pane->wheel(x - origin[0], y - origin[1], forward)) redraw({pane});
-    return false;
 }
 
 void Window::beginMotion()
@@ -164,6 +164,7 @@ void Window::beginMotion()
 void Window::endMotion()
 {
     scene.setMoving(false);
+    scene.viewChanged();
     redraw({&scene});
 }
 

@@ -37,8 +37,7 @@ public:
     Pane* paneAt(int x, int y);
     void click(int x, int y);
     void drag(int fromX, int fromY, int dx, int dy);
-    /// True if VTK shall zoom the 3D view.
-    bool wheel(int x, int y, bool forward);
+    void wheel(int x, int y, bool forward);
     void key(const std::string& key, bool shift, int x, int y);
     void beginMotion();
     void endMotion();
