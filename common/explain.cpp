@@ -1,6 +1,7 @@
 #include "common/explain.h"
 
 #include <fmt/format.h>
+#include <glm/trigonometric.hpp>
 
 namespace rt
 {
@@ -35,8 +36,29 @@ Formula hitPoint(const RayTree::Node& node)
                         node.hit->inside ? ", from inside" : "")};
 }
 
-Formula directLight(const RayTree::Shadow& shadow, const Light<double>& light, const Vec3<double>& N)
+/// What the material of the node's surface is, or null if the scene has none of that name.
+const Material<double>* materialOf(const RayTree::Node& node, const SceneDescription& scene)
 {
+    for (const auto& material : scene.materials)
+        if (node.hit && material.name == node.hit->material) return &material;
+    return nullptr;
+}
+
+/// (1 - f)(N.L) + f (V.R)^alpha with its numbers, for a glossy material.
+std::string phongText(const Vec3<double>& L, const Vec3<double>& N, const Vec3<double>& V, const Material<double>& mat,
+                      double value)
+{
+    const double NL = dot(N, L), f = mat.glossy;
+    const Vec3<double> R = 2 * NL * N - L;
+    return fmt::format("R = 2(N.L)N - L = {}, V = -D = {}, V.R = {}\n(1 - {}) * {} + {} * {}^{} = {}\n", text(R),
+                       text(V), text(dot(V, R)), text(f), text(NL), text(f), text(std::max(0.0, dot(V, R))),
+                       text(mat.exponent), text(value));
+}
+
+Formula directLight(const RayTree::Shadow& shadow, const Light<double>& light, const RayTree::Node& node,
+                    const SceneDescription& scene, const LectureFormulas& lecture)
+{
+    const Vec3<double> N = facing(*node.hit);
     Formula formula{fmt::format("Direct light {}", shadow.light), "lightColor * max(0, N.L) / dist²", ""};
     formula.numbers = fmt::format("L = {}, dist = {}\n", text(shadow.direction), text(shadow.distance));
     if (!shadow.visible)
@@ -47,8 +69,23 @@ Formula directLight(const RayTree::Shadow& shadow, const Light<double>& light, c
         return formula;
     }
     const double cosine = dot(N, shadow.direction), attenuation = 1 / (shadow.distance * shadow.distance);
-    formula.numbers += fmt::format("{} * max(0, {}) * {} = {}", text(light.color), text(cosine), text(attenuation),
-                                   text(light.color * std::max(0.0, cosine) * attenuation));
+    const auto* mat = materialOf(node, scene);
+    const double shading = lecture.phong(shadow.direction, N, -node.direction, mat ? *mat : Material<double>());
+    std::string factor = fmt::format("max(0, {})", text(cosine));
+    if (mat && mat->glossy > 0)
+    {
+        formula.symbolic = "lightColor * ((1 - f)(N.L) + f (V.R)^alpha) / dist²";
+        formula.numbers += phongText(shadow.direction, N, -node.direction, *mat, shading);
+        factor = text(shading);
+    }
+    std::string tint;
+    if (shadow.tint != Vec3<double>(1))
+    {
+        formula.symbolic = "tint * " + formula.symbolic;
+        tint = text(shadow.tint) + " * ";
+    }
+    formula.numbers += fmt::format("{}{} * {} * {} = {}", tint, text(light.color), factor, text(attenuation),
+                                   text(shadow.tint * light.color * shading * attenuation));
     return formula;
 }
 
@@ -58,6 +95,50 @@ Formula reflection(const RayTree::Node& node, const RayTree::Node& child)
     return {"Reflected vector", "A = (D.N)N,  B = D - A,  R = B - A = D - 2(D.N)N",
             fmt::format("D.N = {}\nA = {}\nB = {}\nR = {}", text(dot(node.direction, N)), text(A), text(B),
                         text(child.direction))};
+}
+
+/// Snell's law, k, and how much is reflected, exactly and after Schlick, at the boundary of two media.
+std::vector<Formula> boundary(const RayTree& tree, const RayTree::Node& node, const LectureFormulas& lecture)
+{
+    const double n1 = *node.n1, n2 = *node.n2, cos1 = -dot(node.direction, facing(*node.hit));
+    const double sin1 = std::sqrt(std::max(0.0, 1 - cos1 * cos1)), sin2 = n1 / n2 * sin1;
+    const double k = lecture.cosSquared2(cos1, n1, n2);
+    const auto angle = [](double sine) { return glm::degrees(std::asin(std::min(1.0, sine))); };
+    std::vector<Formula> formulas;
+
+    Formula snell{"Snell's law", "n1 sin1 = n2 sin2,  k = 1 - (n1/n2)² (1 - cos²1)", ""};
+    snell.numbers = fmt::format("n1 = {}, n2 = {}, cos1 = -N.D = {}, angle 1 = {} degrees\nsin2 = {}, k = {}", text(n1),
+                                text(n2), text(cos1), text(angle(sin1)), text(sin2), text(k));
+    snell.numbers +=
+        k < 0 ? fmt::format("\nk < 0: total internal reflection (critical angle {} degrees)", text(angle(n2 / n1)))
+              : fmt::format("\nangle 2 = {} degrees", text(angle(sin2)));
+    formulas.push_back(snell);
+
+    if (node.fresnel)
+    {
+        Formula fresnel{"Fresnel", "Fr = (rs² + rp²)/2,  Ft = 1 - Fr", ""};
+        const double exact = lecture.fresnel(cos1, n1, n2), approximate = lecture.schlick(cos1, n1, n2);
+        if (k >= 0 && n1 != n2)
+        {
+            const double cos2 = std::sqrt(k);
+            fresnel.numbers =
+                fmt::format("rs = (n1 cos1 - n2 cos2)/(n1 cos1 + n2 cos2) = {}\nrp = (n1 cos2 - n2 cos1)/(n1 "
+                            "cos2 + n2 cos1) = {}\n",
+                            text((n1 * cos1 - n2 * cos2) / (n1 * cos1 + n2 * cos2)),
+                            text((n1 * cos2 - n2 * cos1) / (n1 * cos2 + n2 * cos1)));
+        }
+        fresnel.numbers +=
+            fmt::format("Fr = {}, Schlick {}, difference {}; used {}, Ft = {}", text(exact), text(approximate),
+                        text(approximate - exact), text(*node.fresnel), text(1 - *node.fresnel));
+        formulas.push_back(fresnel);
+    }
+    for (const int child : tree.childrenOf(node.id))
+        if (const auto& next = tree.nodes[std::size_t(child)]; next.kind == RayKind::transmitted && k >= 0)
+            formulas.push_back(
+                {"Transmitted vector", "T = n1/n2 D + (n1/n2 cos1 - sqrt(k)) N",
+                 fmt::format("{} * {} + ({}) * {} = {}", text(n1 / n2), text(node.direction),
+                             text(n1 / n2 * cos1 - std::sqrt(k)), text(facing(*node.hit)), text(next.direction))});
+    return formulas;
 }
 
 /// "color * Trace(1)" for each child, and what came of it.
@@ -94,7 +175,8 @@ Formula contribution(const RayTree::Node& node)
 
 } // namespace
 
-std::vector<Formula> explainNode(const RayTree& tree, const SceneDescription& scene, int id)
+std::vector<Formula> explainNode(const RayTree& tree, const SceneDescription& scene, const LectureFormulas& lecture,
+                                 int id)
 {
     const auto& node = tree.nodes.at(std::size_t(id));
     std::vector<Formula> formulas{hitPoint(node)};
@@ -102,7 +184,9 @@ std::vector<Formula> explainNode(const RayTree& tree, const SceneDescription& sc
     {
         for (const int index : tree.shadowsOf(id))
             if (const auto& shadow = tree.shadows[std::size_t(index)]; std::size_t(shadow.light) < scene.lights.size())
-                formulas.push_back(directLight(shadow, scene.lights[std::size_t(shadow.light)], facing(*node.hit)));
+                formulas.push_back(directLight(shadow, scene.lights[std::size_t(shadow.light)], node, scene, lecture));
+        if (node.n1 && node.n2)
+            for (auto& formula : boundary(tree, node, lecture)) formulas.push_back(std::move(formula));
         for (const int child : tree.childrenOf(id))
             if (tree.nodes[std::size_t(child)].kind == RayKind::reflected)
                 formulas.push_back(reflection(node, tree.nodes[std::size_t(child)]));
@@ -112,13 +196,13 @@ std::vector<Formula> explainNode(const RayTree& tree, const SceneDescription& sc
     return formulas;
 }
 
-std::string explain(const RayTree& tree, const SceneDescription& scene)
+std::string explain(const RayTree& tree, const SceneDescription& scene, const LectureFormulas& lecture)
 {
     std::string out;
     for (const auto& node : tree.nodes)
     {
         out += fmt::format("[{}] {} ray, depth {}\n", node.id, name(node.kind), node.depth);
-        for (const auto& formula : explainNode(tree, scene, node.id))
+        for (const auto& formula : explainNode(tree, scene, lecture, node.id))
         {
             out += fmt::format("    {}: {}\n        ", formula.title, formula.symbolic);
             for (const char c : formula.numbers) out += c == '\n' ? "\n        " : std::string(1, c);

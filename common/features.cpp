@@ -27,6 +27,7 @@ std::vector<Requirement> required(const SceneDescription& scene)
     for (const auto& sphere : scene.spheres) used.insert(sphere.material);
     for (const auto& plane : scene.planes) used.insert(plane.material);
     for (const auto& triangle : scene.triangles) used.insert(triangle.material);
+    for (const auto& mesh : scene.meshes) used.insert(mesh.material);
 
     std::vector<Requirement> found;
     const auto need = [&](Feature feature, std::string because) {
@@ -52,9 +53,15 @@ std::vector<Requirement> required(const SceneDescription& scene)
             need(Feature::phong, fmt::format("material '{}' is glossy (glossy = {})", mat.name, mat.glossy));
     }
     if (!scene.lights.empty() && !used.empty()) need(Feature::direct, "it has lights");
-    if (scene.sky.present && scene.sky.color != Vec3<double>(0)) need(Feature::sky, "it has a [sky]");
+    if (scene.sky.image || scene.sky.zenith || scene.sky.sun || scene.sky.color != Vec3<double>(0))
+        need(Feature::sky, "it has a [sky]");
     if (branches && scene.trace.cutoff > 0) need(Feature::policies, "[trace] sets a cutoff");
     if (branches && scene.trace.atCap != AtCap::black) need(Feature::policies, "[trace] sets at_cap");
+    const bool dielectric = std::any_of(used.begin(), used.end(), [&](int index) {
+        return scene.materials[std::size_t(index)].isDielectric();
+    });
+    if (dielectric && !scene.lights.empty() && scene.trace.shadowThroughGlass == ShadowThroughGlass::tint)
+        need(Feature::policies, "[trace] sets shadow_through_glass");
     std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.feature < b.feature; });
     return found;
 }

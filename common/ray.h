@@ -26,6 +26,7 @@ template <std::floating_point Real>
 struct Point : Vec3<Real>
 {
     PrimitiveId on = noPrimitive;
+    Real albedo = 1; ///< largest channel of the surface's colour
 };
 
 /// P(t) = O + t D for t > 0.
@@ -40,12 +41,11 @@ struct Ray
     Real energy = 1;                ///< largest channel of the throughput from here to the pixel
     PrimitiveId from = noPrimitive; ///< the primitive that O lies on
 
-    /// The next ray of the tree: starts at I, one level deeper, and brings `weight` of its parent's colour, tinted by
-    /// a material colour whose largest channel is `tint`. `direction` need not have unit length.
-    Ray spawn(RayKind nextKind, const Point<Real>& I, const Vec3<Real>& direction, Real nextWeight = 1,
-              Real tint = 1) const
+    /// The next ray of the tree: starts at I, one level deeper, and brings `nextWeight` of its parent's colour, tinted by
+    /// the colour of the surface. `direction` need not have unit length.
+    Ray spawn(RayKind nextKind, const Point<Real>& I, const Vec3<Real>& direction, Real nextWeight = 1) const
     {
-        return {I, unit(direction), nextKind, depth + 1, nextWeight, energy * nextWeight * tint, I.on};
+        return {I, unit(direction), nextKind, depth + 1, nextWeight, energy * nextWeight * I.albedo, I.on};
     }
 };
 

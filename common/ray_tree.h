@@ -67,6 +67,7 @@ struct RayTree
         Vec3<double> direction{0, 0, 0};
         double distance = 0;
         bool visible = false;
+        Vec3<double> tint{1, 1, 1}; ///< what glass on the way lets through, under shadow_through_glass = "tint"
         struct Blocker
         {
             std::string primitive;

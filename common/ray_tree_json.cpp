@@ -76,6 +76,7 @@ Json shadowJson(const RayTree::Shadow& shadow)
             {"direction", triple(shadow.direction)},
             {"distance", number(shadow.distance)},
             {"visible", shadow.visible},
+            {"tint", triple(shadow.tint)},
             {"blocker", blocker},
             {"line", shadow.line}};
 }
@@ -222,6 +223,7 @@ RayTree::Shadow readShadow(const Reader& in, int nodes)
     shadow.direction = in.triple("direction");
     shadow.distance = in.real("distance");
     shadow.visible = in.boolean("visible");
+    if (in.has("tint")) shadow.tint = in.triple("tint");
     if (in.has("blocker"))
     {
         const auto blocker = in.object("blocker");

@@ -31,6 +31,8 @@ private:
 /// rec.shadow(light, I, L, distance, visible) a light was asked for
 /// rec.own(color)                             what the point itself sends, before its children add to it
 /// rec.capped(ray) or (ray, color)            a ray was not followed; `color` stands in for what it would have brought
+/// rec.cutoff(ray)                            a ray was not followed, since it could not have brought enough
+/// rec.fresnel(Fr)                            the reflected share at a dielectric
 /// rec.color(color)                           what the ray returns
 template <class R, class Real>
 concept RayRecorder = requires(R rec, const Ray<Real>& ray, const std::optional<Hit<Real>>& hit,
@@ -41,6 +43,8 @@ concept RayRecorder = requires(R rec, const Ray<Real>& ray, const std::optional<
     rec.own(v);
     rec.capped(ray);
     rec.capped(ray, v);
+    rec.cutoff(ray);
+    rec.fresnel(distance);
     rec.color(v);
 };
 
@@ -52,6 +56,8 @@ struct NoRecorder
     void own(const auto&) const {}
     void capped(const auto&) const {}
     void capped(const auto&, const auto&) const {}
+    void cutoff(const auto&) const {}
+    void fresnel(auto) const {}
     void color(const auto&) const {}
 };
 

@@ -11,6 +11,7 @@
 #include "common/light.h"
 #include "common/scene_description.h"
 #include "common/shapes.h"
+#include "common/sky.h"
 
 namespace rt
 {
@@ -21,12 +22,13 @@ class Scene
 public:
     Camera<Real> camera;
     TraceSettings settings;
-    Vec3<Real> sky;
+    Sky<Real> sky;
     std::vector<Material<Real>> materials; ///< the described ones, then one for each checker
     std::vector<Sphere<Real>> spheres;
     std::vector<Plane<Real>> planes;
-    std::vector<Triangle<Real>> triangles;
+    std::vector<Triangle<Real>> triangles; ///< those of the file, then those of its meshes
     std::vector<Light<Real>> lights;
+    Real brightest = 0; ///< no ray returns more, if there is a cutoff that asks for it; else 0
 
     /// Converts each number once and normalises directions. Throws std::range_error if a number does not fit Real.
     explicit Scene(const SceneDescription& description);
@@ -38,20 +40,38 @@ public:
     std::optional<Hit<Real>> intersect(const Ray<Real>& ray, const Formulas& shapes = {}) const;
 
     /// The slides' !IsVisible: is there anything on the open segment from I towards L (unit), shorter than `distance`?
+    /// Glass is something, unless the scene says shadow_through_glass = "tint".
     template <class Formulas = Shapes<Real>>
     bool occluded(const Point<Real>& I, const Vec3<Real>& L, Real distance, const Formulas& shapes = {}) const;
 
-    /// "sphere0", "plane1", "triangle2": kind, and order in the file among its kind.
+    /// The product of the colours of all dielectric surfaces on that segment; white unless shadow_through_glass = "tint".
+    Vec3<Real> shadowTint(const Point<Real>& I, const Vec3<Real>& L, Real distance) const;
+
+    /// "sphere0", "plane1", "triangle2": kind, and order in the file among its kind; "mesh0.triangle12" in a mesh.
     std::string primitiveName(PrimitiveId id) const;
 
 private:
     template <class Visit, class Formulas>
     void visitDistances(const Ray<Real>& ray, const Formulas& shapes, Visit&& visit) const;
 
+    /// Does a ray that leaves one triangle start in the plane of this other one, up to the rounding of its origin? Then it
+    /// leaves both: they are parts of one surface, or meet at an edge.
+    static bool startsOn(const Ray<Real>& ray, const Triangle<Real>& triangle)
+    {
+        const Vec3<Real> a = abs(triangle.a), o = abs(ray.O);
+        const Real bound = 16 * std::numeric_limits<Real>::epsilon() * (a.x + a.y + a.z + o.x + o.y + o.z);
+        return std::abs(dot(ray.O - triangle.a, triangle.N)) <= bound;
+    }
+
     Hit<Real> hitAt(const Ray<Real>& ray, Real t, PrimitiveId id) const;
 
     Hit<Real> finish(const Ray<Real>& ray, Real t, PrimitiveId id, const Vec3<Real>& I, const Vec3<Real>& outward,
                      int material) const;
+
+    Real brightestReturn() const;
+    const Material<Real>& materialOf(PrimitiveId id) const;
+
+    std::vector<PrimitiveId> meshes; ///< the first triangle of each
 
     PrimitiveId firstPlane() const { return PrimitiveId(spheres.size()); }
     PrimitiveId firstTriangle() const { return PrimitiveId(spheres.size() + planes.size()); }
@@ -77,7 +97,7 @@ Vec3<Real> narrow(const Vec3<double>& v, const std::string& what)
 
 template <std::floating_point Real>
 Scene<Real>::Scene(const SceneDescription& description)
-    : camera(description.camera), settings(description.trace), sky(narrow<Real>(description.sky.color, "sky.color"))
+    : camera(description.camera), settings(description.trace), sky(description.sky)
 {
     for (const auto& m : description.materials)
         materials.push_back({m.name, Vec3<Real>(m.color), Real(m.mirror), Real(m.ior), Real(m.iorOutside),
@@ -112,18 +132,24 @@ Scene<Real>::Scene(const SceneDescription& description)
         }
         planes.push_back(plane);
     }
-    for (const auto& t : description.triangles)
-    {
-        const std::string name = "triangle" + std::to_string(triangles.size()) + ".vertices";
-        const auto [a, b, c] = t.vertices;
+    const auto addTriangle = [&](const std::array<Vec3<double>, 3>& vertices, int material, const std::string& name) {
+        const auto& [a, b, c] = vertices;
         triangles.push_back({narrow<Real>(a, name), narrow<Real>(b, name), narrow<Real>(c, name),
-                             Vec3<Real>(unit(cross(unit(b - a), unit(c - a)))), t.material});
+                             Vec3<Real>(unit(cross(unit(b - a), unit(c - a)))), material});
+    };
+    for (const auto& t : description.triangles)
+        addTriangle(t.vertices, t.material, "triangle" + std::to_string(triangles.size()) + ".vertices");
+    for (const auto& mesh : description.meshes)
+    {
+        meshes.push_back(PrimitiveId(triangles.size()));
+        for (const auto& vertices : *mesh.triangles) addTriangle(vertices, mesh.material, mesh.file);
     }
     for (const auto& l : description.lights)
     {
         const std::string name = "light" + std::to_string(lights.size());
         lights.push_back({narrow<Real>(l.position, name + ".position"), narrow<Real>(l.color, name + ".color")});
     }
+    if (settings.cutoff > 0) brightest = brightestReturn();
 }
 
 /// Calls visit(id, t) for each primitive that the ray meets, in the order of ids, until visit returns true.
@@ -145,9 +171,10 @@ void Scene<Real>::visitDistances(const Ray<Real>& ray, const Formulas& shapes, V
                 if (visit(id, *t)) return;
         ++id;
     }
+    const bool leavesTriangle = ray.from >= firstTriangle();
     for (const auto& triangle : triangles)
     {
-        if (id != ray.from)
+        if (id != ray.from && !(leavesTriangle && startsOn(ray, triangle)))
             if (const auto t = Shapes<Real>::intersectTriangle(ray, triangle))
                 if (visit(id, *t)) return;
         ++id;
@@ -176,10 +203,57 @@ template <std::floating_point Real>
 template <class Formulas>
 bool Scene<Real>::occluded(const Point<Real>& I, const Vec3<Real>& L, Real distance, const Formulas& shapes) const
 {
+    const bool throughGlass = settings.shadowThroughGlass == ShadowThroughGlass::tint;
     bool blocked = false;
-    visitDistances(Ray<Real>{.O = I, .D = L, .from = I.on}, shapes,
-                   [&](PrimitiveId, Real t) { return blocked = t < distance; });
+    visitDistances(Ray<Real>{.O = I, .D = L, .from = I.on}, shapes, [&](PrimitiveId id, Real t) {
+        return blocked = t < distance && !(throughGlass && materialOf(id).isDielectric());
+    });
     return blocked;
+}
+
+template <std::floating_point Real>
+Vec3<Real> Scene<Real>::shadowTint(const Point<Real>& I, const Vec3<Real>& L, Real distance) const
+{
+    Vec3<Real> tint(1);
+    if (settings.shadowThroughGlass == ShadowThroughGlass::block) return tint;
+    // From surface to surface, as the light goes straight on: each one that is crossed takes its share.
+    Ray<Real> ray{.O = I, .D = L, .from = I.on};
+    while (const auto hit = intersect(ray))
+    {
+        distance -= hit->t;
+        if (!(distance > 0)) break;
+        tint *= hit->mat.color;
+        ray.O = hit->I;
+        ray.from = hit->I.on;
+    }
+    return tint;
+}
+
+template <std::floating_point Real>
+const Material<Real>& Scene<Real>::materialOf(PrimitiveId id) const
+{
+    if (id < firstPlane()) return materials[std::size_t(spheres[std::size_t(id)].material)];
+    if (id < firstTriangle()) return materials[std::size_t(planes[std::size_t(id - firstPlane())].material)];
+    return materials[std::size_t(triangles[std::size_t(id - firstTriangle())].material)];
+}
+
+/// An upper bound of what `trace` returns: the sky's brightest spot, or all lights as near as they are to any surface, for
+/// no surface sends on more than arrives. Infinite if a light sits on a surface; there is then no cutoff.
+template <std::floating_point Real>
+Real Scene<Real>::brightestReturn() const
+{
+    Vec3<Real> direct(0);
+    for (const auto& light : lights)
+    {
+        Real nearest = infinity<Real>;
+        for (const auto& sphere : spheres)
+            nearest = std::min(nearest, std::abs(length(light.position - sphere.C) - sphere.r));
+        for (const auto& plane : planes) nearest = std::min(nearest, std::abs(dot(light.position - plane.P, plane.N)));
+        for (const auto& triangle : triangles) // its plane is not farther than itself
+            nearest = std::min(nearest, std::abs(dot(light.position - triangle.a, triangle.N)));
+        direct += light.color / (nearest * nearest);
+    }
+    return std::max(largestChannel(direct), sky.brightest());
 }
 
 /// Point, normal and material of the one hit that counts. Points are put back onto their surface, so that their error
@@ -212,7 +286,8 @@ Hit<Real> Scene<Real>::finish(const Ray<Real>& ray, Real t, PrimitiveId id, cons
     const auto& mat = materials[std::size_t(material)];
     const bool inside = dot(ray.D, outward) > 0;
     const Real within = mat.isDielectric() ? mat.ior : 1, around = mat.isDielectric() ? mat.iorOutside : 1;
-    return {{I, id}, inside ? -outward : outward, mat, t, inside, inside ? within : around, inside ? around : within};
+    return {{I, id, largestChannel(mat.color)}, inside ? -outward : outward, mat, t, inside,
+            inside ? within : around,           inside ? around : within};
 }
 
 template <std::floating_point Real>
@@ -221,7 +296,11 @@ std::string Scene<Real>::primitiveName(PrimitiveId id) const
     if (id < 0) return "nothing";
     if (id < firstPlane()) return "sphere" + std::to_string(id);
     if (id < firstTriangle()) return "plane" + std::to_string(id - firstPlane());
-    return "triangle" + std::to_string(id - firstTriangle());
+    const PrimitiveId triangle = id - firstTriangle();
+    for (std::size_t mesh = meshes.size(); mesh-- > 0;)
+        if (triangle >= meshes[mesh])
+            return "mesh" + std::to_string(mesh) + ".triangle" + std::to_string(triangle - meshes[mesh]);
+    return "triangle" + std::to_string(triangle);
 }
 
 } // namespace rt

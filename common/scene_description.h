@@ -3,9 +3,12 @@
 
 #include <array>
 #include <limits>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "common/image.h"
 #include "common/light.h"
 #include "common/material.h"
 
@@ -53,10 +56,30 @@ struct TraceSettings
     ShadowThroughGlass shadowThroughGlass = ShadowThroughGlass::block;
 };
 
+/// How an image covers the sphere of directions; the middle of the image is the direction -z, its right half is +x.
+enum class SkyMapping
+{
+    latlong, ///< longitude from left to right, latitude from the zenith at the top to the nadir
+    angular  ///< Debevec's light probe: a disc, the distance from the middle is the angle to -z, its rim is +z
+};
+
+struct Sun
+{
+    Vec3<double> direction{0, 1, 0}; ///< from the scene to the sun; any length but 0
+    Vec3<double> color{0, 0, 0};     ///< radiance inside its disc
+    double size = 5;                 ///< diameter in degrees, in (0, 180]
+};
+
+/// A colour, or a gradient, or an image; the first two may have a sun.
 struct SkyDescription
 {
     bool present = false;
-    Vec3<double> color{0, 0, 0};
+    Vec3<double> color{0, 0, 0};        ///< everywhere, or at the horizon and below if there is a zenith
+    std::optional<Vec3<double>> zenith; ///< straight up; in between linear in the direction's y
+    std::optional<Sun> sun;
+    std::string imageFile; ///< as in the scene file; empty: no image
+    SkyMapping mapping = SkyMapping::latlong;
+    std::shared_ptr<const Image> image; ///< linear RGB; shared, since scenes are copied
 };
 
 struct SphereDescription
@@ -82,6 +105,14 @@ struct TriangleDescription
     int material = 0;
 };
 
+/// An OBJ file's triangles, in the order of its faces.
+struct MeshDescription
+{
+    std::string file; ///< as in the scene file
+    std::shared_ptr<const std::vector<std::array<Vec3<double>, 3>>> triangles;
+    int material = 0;
+};
+
 struct SceneDescription
 {
     std::string file; ///< where it came from, for messages and trees
@@ -93,6 +124,7 @@ struct SceneDescription
     std::vector<SphereDescription> spheres;
     std::vector<PlaneDescription> planes;
     std::vector<TriangleDescription> triangles;
+    std::vector<MeshDescription> meshes;
     std::vector<Light<double>> lights;
     std::vector<std::string> warnings; ///< what was left out on reading, each as `file:line:column: why`
 

@@ -1,12 +1,10 @@
 #include "common/scene_file.h"
 
-#include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <memory>
 #include <unordered_map>
 
+#include "common/obj_file.h"
 #include "common/scene_reader.h"
 
 namespace rt
@@ -15,148 +13,8 @@ namespace rt
 namespace
 {
 
-namespace fs = std::filesystem;
-
-// ---- the file ------------------------------------------------------------------------------------------------------
-
-/// ", did you mean 'glass.toml'?", from the scene files in the folder of `path`.
-std::string similarFile(const fs::path& path)
-{
-    constexpr std::size_t most = 10000;
-    std::vector<std::string> names;
-    std::error_code error;
-    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-    for (fs::directory_iterator entry(folder, error), end; !error && entry != end && names.size() < most;
-         entry.increment(error))
-        if (entry->path().extension() == ".toml") names.push_back(entry->path().filename().string());
-    std::sort(names.begin(), names.end());
-    const std::string name = path.filename().string();
-    return SceneTable::didYouMean(name, {names.begin(), names.end()});
-}
-
-struct Text
-{
-    std::unique_ptr<char[]> bytes;
-    std::size_t size = 0;
-    operator std::string_view() const { return {bytes.get(), size}; }
-};
-
-/// The whole file, or at most one byte more than the limit: size and kind of a file may lie, as those of /dev/zero do.
-Text readText(const std::string& path)
-{
-    const auto refuse = [&](const std::string& why) { throw SceneError(fmt::format("{}: {}", path, why)); };
-    const auto tooLarge = fmt::format("too large, expected at most {} MiB", largestSceneFile >> 20);
-
-    std::error_code error;
-    const auto status = fs::status(path, error);
-    if (status.type() == fs::file_type::not_found) refuse("no such file" + similarFile(path));
-    if (status.type() == fs::file_type::directory) refuse("this is a folder, expected a scene file (.toml)");
-    if (status.type() == fs::file_type::regular && fs::file_size(path, error) > largestSceneFile && !error)
-        refuse(tooLarge);
-
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
-    if (!file) refuse(fmt::format("cannot be opened: {}", std::strerror(errno)));
-    std::setvbuf(file.get(), nullptr, _IONBF, 0);
-
-    // Few and large steps, and memory that is not cleared first: the limit is reached well within a second.
-    Text text;
-    for (std::size_t room = std::size_t(1) << 16; text.size <= largestSceneFile; room *= 16)
-    {
-        room = std::min(room, largestSceneFile + 1);
-        auto larger = std::make_unique_for_overwrite<char[]>(room);
-        std::copy_n(text.bytes.get(), text.size, larger.get());
-        text.bytes = std::move(larger);
-        errno = 0;
-        const std::size_t before = text.size;
-        text.size += std::fread(text.bytes.get() + text.size, 1, room - text.size, file.get());
-        const auto* zero = static_cast<const char*>(std::memchr(text.bytes.get() + before, 0, text.size - before));
-        if (zero)
-            refuse(fmt::format("not a text file, byte {} is zero; expected TOML in UTF-8, at most {} MiB",
-                               zero - text.bytes.get() + 1, largestSceneFile >> 20));
-        if (std::ferror(file.get())) refuse(fmt::format("cannot be read: {}", std::strerror(errno)));
-        if (text.size < room) return text;
-    }
-    refuse(tooLarge);
-    return text;
-}
-
-// ---- TOML ----------------------------------------------------------------------------------------------------------
-
-[[noreturn]] void failAt(std::string_view text, std::size_t offset, const std::string& name, std::string_view sentence)
-{
-    const auto before = text.substr(0, offset);
-    const auto lineStart = before.rfind('\n') + 1; // npos + 1 is 0, the first line
-    const auto startsLetter = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
-    throw SceneError(fmt::format(
-        "{}:{}:{}: {}", name, 1 + std::count(before.begin(), before.end(), '\n'),
-        1 + std::count_if(before.begin() + std::ptrdiff_t(lineStart), before.end(), startsLetter), sentence));
-}
-
-/// toml++ 3.3 notices, but gives the place of the letter before, which may be on another line.
-void refuseOtherThanUtf8(std::string_view text, const std::string& name)
-{
-    const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
-    for (std::size_t i = 0; i < text.size();)
-    {
-        const unsigned first = byte(i), second = byte(i + 1);
-        const std::size_t length = first < 0x80   ? 1
-                                   : first < 0xC2 ? 0
-                                   : first < 0xE0 ? 2
-                                   : first < 0xF0 ? 3
-                                   : first < 0xF5 ? 4
-                                                  : 0;
-        // Neither longer than need be, nor half of a surrogate pair, nor beyond U+10FFFF.
-        bool good = length > 0 && !(first == 0xE0 && second < 0xA0) && !(first == 0xED && second > 0x9F) &&
-                    !(first == 0xF0 && second < 0x90) && !(first == 0xF4 && second > 0x8F);
-        for (std::size_t k = 1; k < length; ++k) good = good && (byte(i + k) & 0xC0) == 0x80;
-        if (!good) failAt(text, i, name, fmt::format("byte {:#04x} is not UTF-8, expected TOML in UTF-8", first));
-        i += length;
-    }
-}
-
-/// How many times, from the dot at `i` on, a name and one more dot follow. Bare names and both kinds of quoted ones count.
-int dotsInChain(std::string_view text, std::size_t i, int most)
-{
-    const auto skipWhile = [&](auto isSkipped) {
-        while (i < text.size() && isSkipped(text[i])) ++i;
-    };
-    const auto isBlank = [](char c) { return c == ' ' || c == '\t'; };
-    const auto isBare = [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
-    };
-
-    int dots = 0;
-    while (i < text.size() && text[i] == '.' && dots < most)
-    {
-        ++dots;
-        ++i;
-        skipWhile(isBlank);
-        if (i >= text.size()) break;
-        if (const char quote = text[i]; quote == '"' || quote == '\'')
-        {
-            for (++i; i < text.size() && text[i] != quote && text[i] != '\n'; ++i)
-                if (quote == '"' && text[i] == '\\') ++i;
-            ++i;
-        }
-        else if (isBare(text[i]))
-            skipWhile(isBare);
-        else
-            break;
-        skipWhile(isBlank);
-    }
-    return dots;
-}
-
-/// toml++ 3.3 limits how deep values nest, but not how many names a key joins by dots, and each of them costs it stack:
-/// `a.a.a` and so on for some ten thousand names would end the process. No scene joins more than three. Every dot is
-/// tried, whatever it means where it stands, so that this need not know TOML.
-void refuseLongKeys(std::string_view text, const std::string& name)
-{
-    constexpr int mostDots = 16;
-    for (std::size_t dot = text.find('.'); dot != text.npos; dot = text.find('.', dot + 1))
-        if (dotsInChain(text, dot, mostDots) == mostDots)
-            failAt(text, dot, name, fmt::format("more than {} names are joined by dots, expected at most 3", mostDots));
-}
+const FileKind sceneKind{"a scene file (.toml)", {".toml"}, false};
+const FileKind pictureKind{"a picture (.hdr, .exr, .png)", {".hdr", ".exr", ".png"}};
 
 toml::table parseToml(std::string_view text, const std::string& name)
 {
@@ -179,8 +37,6 @@ std::string materialTitle(const std::string& name)
 {
     return fmt::format("[materials.{}]", onOneLine(name));
 }
-
-// ---- the scene -----------------------------------------------------------------------------------------------------
 
 /// What the readers below share.
 struct Reading
@@ -241,13 +97,78 @@ void readTrace(const Reading& reading, const toml::table& source)
     table.finish();
 }
 
+/// Calls read(path) for the file that the key names, relative to the scene's folder. What is wrong with that file is told
+/// at the key's value, as `scene.toml:2:9: probe.hdr: why`.
+template <class Read>
+auto readNamedFile(const Reading& reading, const SceneTable& table, std::string_view key, const std::string& name,
+                   Read&& read)
+{
+    if (name.empty()) table.wrong(key, table.place(key), "the name of a file", "''");
+    try
+    {
+        return read((std::filesystem::path(reading.file).parent_path() / name).string());
+    }
+    catch (const std::runtime_error& error)
+    {
+        table.fail(table.place(key), onOneLine(error.what(), 500));
+    }
+}
+
+std::shared_ptr<const Image> readPicture(const std::string& path)
+{
+    checkFile(path, pictureKind);
+    auto image = std::make_shared<const Image>(readImage(path));
+    for (int y = 0; y < image->height; ++y)
+        for (int x = 0; x < image->width; ++x)
+        {
+            const auto& c = image->at(x, y);
+            if (!isFinite(c) || std::min({c.x, c.y, c.z}) < 0)
+                throw SceneError(fmt::format("{}: pixel ({}, {}) is not a finite number of at least 0", path, x, y));
+        }
+    return image;
+}
+
+Sun readSun(const Reading& reading, const toml::table& source)
+{
+    // A number is greater than 0 if it is at least the smallest one that is.
+    constexpr NumberRange aboveZeroTo180{std::numeric_limits<double>::denorm_min(), 180, true,
+                                         " greater than 0 and at most 180"};
+    Sun sun;
+    SceneTable table(reading.file, source, "the sun of [sky]");
+    table.require({"direction", "color"});
+    table.read("direction", sun.direction);
+    table.read("color", sun.color, notNegative);
+    table.read("size", sun.size, aboveZeroTo180);
+    table.finish();
+    if (sun.direction == Vec3<double>(0))
+        table.wrong("direction", table.place("direction"), "a direction", "the zero vector");
+    return sun;
+}
+
 void readSky(const Reading& reading, const toml::table& source)
 {
     auto& sky = reading.scene.sky;
     sky.present = true;
     SceneTable table(reading.file, source, "[sky]");
+    Vec3<double> zenith;
     table.read("color", sky.color, notNegative);
+    table.read("horizon", sky.color, notNegative);
+    if (table.read("zenith", zenith, notNegative)) sky.zenith = zenith;
+    table.read("image", sky.imageFile);
+    table.read("mapping", sky.mapping, skyMappingWords);
+    const auto* sun = table.child("sun", "{ direction = [x, y, z], color = [r, g, b], size = 5.0 }");
     table.finish();
+
+    using Pair = std::pair<const char*, const char*>;
+    for (const auto& [one, other] : {Pair("horizon", "color"), Pair("zenith", "color"), Pair("image", "color"),
+                                     Pair("image", "horizon"), Pair("image", "zenith")})
+        table.refuseBoth(one, other, "expected either 'color', or 'horizon' and 'zenith', or 'image'");
+    table.refuseBoth("sun", "image", "expected no 'sun', since a picture shows its own");
+    for (const auto& [one, other] : {Pair("horizon", "zenith"), Pair("zenith", "horizon"), Pair("mapping", "image")})
+        table.refuseWithout(one, other, fmt::format("expected {} as well", inQuotes(other)));
+
+    if (sun) sky.sun = readSun(reading, *sun);
+    if (table.has("image")) sky.image = readNamedFile(reading, table, "image", sky.imageFile, readPicture);
 }
 
 void readMaterial(const Reading& reading, const std::string& name, const toml::table& source)
@@ -257,7 +178,7 @@ void readMaterial(const Reading& reading, const std::string& name, const toml::t
     table.read("color", material.color, zeroToOne);
     const bool mirrors = table.read("mirror", material.mirror, zeroToOne);
     const bool refracts = table.read("ior", material.ior, positiveNumber);
-    const bool hasOutside = table.read("ior_outside", material.iorOutside, positiveNumber);
+    table.read("ior_outside", material.iorOutside, positiveNumber);
     const bool glosses = table.read("glossy", material.glossy, zeroToOne);
     table.read("exponent", material.exponent, notNegative);
     table.finish();
@@ -268,9 +189,7 @@ void readMaterial(const Reading& reading, const std::string& name, const toml::t
                    fmt::format("'{}' in {} beside 'ior': a dielectric's reflected share follows from Fresnel, "
                                "expected only one of the two",
                                share, table.title));
-    if (hasOutside && !refracts)
-        table.fail(table.placeOfKey("ior_outside"),
-                   fmt::format("'ior_outside' in {} without 'ior', expected both or neither", table.title));
+    table.refuseWithout("ior_outside", "ior", "expected both or neither");
     reading.scene.materials.push_back(material);
 }
 
@@ -301,7 +220,7 @@ int materialOf(const Reading& reading, SceneTable& table)
 
     std::vector<std::string_view> defined;
     for (const auto& material : reading.scene.materials) defined.push_back(material.name);
-    auto hint = SceneTable::didYouMean(name, defined);
+    auto hint = didYouMean(name, defined);
     if (hint.empty())
         hint = defined.empty() ? ", expected a table [materials.NAME]" : ", expected " + listed(defined, "or");
     table.fail(table.place("material"), fmt::format("material {} is not defined{}", inQuotes(name), hint));
@@ -343,14 +262,6 @@ void readPlane(const Reading& reading, const toml::table& source)
     reading.scene.planes.push_back(plane);
 }
 
-/// True if the corners lie on one line, up to the rounding of the two directions.
-bool isDegenerate(const TriangleDescription& triangle)
-{
-    const auto& [a, b, c] = triangle.vertices;
-    constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
-    return !(length(cross(unit(b - a), unit(c - a))) > rounding);
-}
-
 void readTriangle(const Reading& reading, const toml::table& source)
 {
     TriangleDescription triangle;
@@ -358,11 +269,25 @@ void readTriangle(const Reading& reading, const toml::table& source)
     table.require({"vertices", "material"});
     table.read("vertices", triangle.vertices);
     triangle.material = materialOf(reading, table);
-    if (!isDegenerate(triangle))
+    if (!isDegenerate(triangle.vertices))
         reading.scene.triangles.push_back(triangle);
     else
         reading.scene.warnings.push_back(
             table.message(table.place("vertices"), "this [[triangle]] has no area and is left out"));
+}
+
+void readMesh(const Reading& reading, const toml::table& source)
+{
+    MeshDescription mesh;
+    SceneTable table(reading.file, source, "[[mesh]]");
+    table.require({"file", "material"});
+    table.read("file", mesh.file);
+    mesh.material = materialOf(reading, table);
+    std::vector<std::string> warnings;
+    mesh.triangles = std::make_shared<const std::vector<MeshTriangle>>(
+        readNamedFile(reading, table, "file", mesh.file, [&](const auto& path) { return readObj(path, warnings); }));
+    for (const auto& warning : warnings) reading.scene.warnings.push_back(table.message(table.place("file"), warning));
+    reading.scene.meshes.push_back(mesh);
 }
 
 void readLight(const Reading& reading, const toml::table& source)
@@ -402,9 +327,7 @@ SceneDescription readScene(const toml::table& source, const std::string& file)
     for (const auto* sphere : spheres) readSphere(reading, *sphere);
     for (const auto* plane : planes) readPlane(reading, *plane);
     for (const auto* triangle : triangles) readTriangle(reading, *triangle);
-    if (!meshes.empty())
-        table.fail(meshes.front()->source().begin,
-                   "[[mesh]] cannot be read yet, expected [[sphere]], [[plane]] or [[triangle]]");
+    for (const auto* mesh : meshes) readMesh(reading, *mesh);
     for (const auto* light : lights) readLight(reading, *light);
     return scene;
 }
@@ -438,8 +361,7 @@ SceneDescription parseScene(std::string_view text, const std::string& name)
     const auto read = [&] {
         constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
         const auto plain = text.substr(text.starts_with(byteOrderMark) ? byteOrderMark.size() : 0);
-        refuseOtherThanUtf8(plain, name);
-        refuseLongKeys(plain, name);
+        checkTomlText(plain, name);
         return readScene(parseToml(plain, name), name);
     };
     return guarded(name, read);
@@ -447,7 +369,7 @@ SceneDescription parseScene(std::string_view text, const std::string& name)
 
 SceneDescription loadScene(const std::string& path)
 {
-    return guarded(path, [&] { return parseScene(readText(path), path); });
+    return guarded(path, [&] { return parseScene(readText(path, sceneKind), path); });
 }
 
 } // namespace rt

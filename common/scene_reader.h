@@ -18,8 +18,8 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
-#include "common/nearest_word.h"
 #include "common/scene_file.h"
+#include "common/scene_text.h"
 
 namespace rt
 {
@@ -42,41 +42,7 @@ inline constexpr NumberRange positiveNumber{0, infinity<double>, false, " greate
 inline constexpr NumberRange notNegative{0, infinity<double>, true, " of at least 0"};
 inline constexpr NumberRange zeroToOne{0, 1, true, " from 0 to 1"};
 
-/// Foreign text for a message: without line breaks and other control characters, and not longer than about `most` bytes.
-inline std::string onOneLine(std::string_view text, std::size_t most = 60)
-{
-    std::string result;
-    for (const char c : text)
-    {
-        const auto byte = static_cast<unsigned char>(c);
-        const bool startsLetter = (byte & 0xC0) != 0x80;
-        if (startsLetter && result.size() >= most) return result + "...";
-        if (byte < 0x20 || byte == 0x7F)
-            result += fmt::format("\\x{:02x}", byte);
-        else
-            result += c;
-    }
-    return result;
-}
-
-inline std::string inQuotes(std::string_view text)
-{
-    return "'" + onOneLine(text) + "'";
-}
-
-/// "'a', 'b' or 'c'"; of many words only the first.
-inline std::string listed(const std::vector<std::string_view>& words, const char* conjunction)
-{
-    constexpr std::size_t most = 20;
-    std::string result;
-    for (std::size_t i = 0; i < words.size(); ++i)
-    {
-        if (i == most) return result + fmt::format(" {} {} more", conjunction, words.size() - most);
-        if (i > 0) result += i + 1 == words.size() ? fmt::format(" {} ", conjunction) : ", ";
-        result += inQuotes(words[i]);
-    }
-    return result;
-}
+inline constexpr std::array<std::string_view, 2> skyMappingWords{"latlong", "angular"}; ///< in the order of SkyMapping
 
 /// A number as TOML writes it: shortest digits that read back to the same double, never mistaken for a whole number.
 inline std::string tomlNumber(double x)
@@ -238,6 +204,21 @@ public:
 
     void require(std::initializer_list<std::string_view> keys) { required = keys; }
 
+    /// Refuses two keys that contradict each other, at the later one.
+    void refuseBoth(std::string_view one, std::string_view other, std::string_view expected) const
+    {
+        if (!has(one) || !has(other)) return;
+        if (placeOfKey(one) < placeOfKey(other)) std::swap(one, other);
+        fail(placeOfKey(one), fmt::format("{} in {} beside {}, {}", inQuotes(one), title, inQuotes(other), expected));
+    }
+
+    /// Refuses a key that means nothing without the other one.
+    void refuseWithout(std::string_view one, std::string_view other, std::string_view expected) const
+    {
+        if (!has(one) || has(other)) return;
+        fail(placeOfKey(one), fmt::format("{} in {} without {}, {}", inQuotes(one), title, inQuotes(other), expected));
+    }
+
     void finish() const
     {
         const toml::key* unknown = nullptr; // toml++ sorts the keys; the first in the file is the one to tell
@@ -259,13 +240,6 @@ public:
             if (!table.contains(key))
                 fail(table.source().begin,
                      fmt::format("missing key {} in {}, expected {}", inQuotes(key), title, listed(required, "and")));
-    }
-
-    /// ", did you mean 'color'?", or "" if no word is near.
-    static std::string didYouMean(std::string_view word, const std::vector<std::string_view>& words)
-    {
-        const auto nearest = nearestWord(word, words);
-        return nearest.empty() ? "" : fmt::format(", did you mean {}?", inQuotes(nearest));
     }
 
     const std::string& file;

@@ -60,6 +60,21 @@ void write(Out out, const TraceSettings& trace)
                    shadowThroughGlassWords[std::size_t(trace.shadowThroughGlass)]);
 }
 
+void write(Out out, const SkyDescription& sky)
+{
+    fmt::format_to(out, "\n[sky]\n");
+    if (!sky.imageFile.empty())
+        fmt::format_to(out, "image = {}\nmapping = \"{}\"\n", tomlString(sky.imageFile),
+                       skyMappingWords[std::size_t(sky.mapping)]);
+    else if (sky.zenith)
+        fmt::format_to(out, "horizon = {}\nzenith = {}\n", tomlTriple(sky.color), tomlTriple(*sky.zenith));
+    else
+        fmt::format_to(out, "color = {}\n", tomlTriple(sky.color));
+    if (sky.sun)
+        fmt::format_to(out, "sun = {{ direction = {}, color = {}, size = {} }}\n", tomlTriple(sky.sun->direction),
+                       tomlTriple(sky.sun->color), tomlNumber(sky.sun->size));
+}
+
 void write(Out out, const Material<double>& material)
 {
     fmt::format_to(out, "\n[materials.{}]\ncolor = {}\n", tomlKey(material.name), tomlTriple(material.color));
@@ -81,7 +96,7 @@ std::string sceneToToml(const SceneDescription& scene)
     fmt::format_to(out, "title = {}\n", tomlString(scene.title));
     write(out, scene.camera);
     write(out, scene.trace);
-    if (scene.sky.present) fmt::format_to(out, "\n[sky]\ncolor = {}\n", tomlTriple(scene.sky.color));
+    if (scene.sky.present) write(out, scene.sky);
     for (const auto& m : scene.materials) write(out, m);
     for (const auto& s : scene.spheres)
         fmt::format_to(out, "\n[[sphere]]\ncenter = {}\nradius = {}\nmaterial = {}\n", tomlTriple(s.center),
@@ -97,6 +112,8 @@ std::string sceneToToml(const SceneDescription& scene)
     for (const auto& t : scene.triangles)
         fmt::format_to(out, "\n[[triangle]]\nvertices = [{}, {}, {}]\nmaterial = {}\n", tomlTriple(t.vertices[0]),
                        tomlTriple(t.vertices[1]), tomlTriple(t.vertices[2]), material(t.material));
+    for (const auto& m : scene.meshes)
+        fmt::format_to(out, "\n[[mesh]]\nfile = {}\nmaterial = {}\n", tomlString(m.file), material(m.material));
     for (const auto& l : scene.lights)
         fmt::format_to(out, "\n[[light]]\nposition = {}\ncolor = {}\n", tomlTriple(l.position), tomlTriple(l.color));
     return text;

@@ -51,15 +51,21 @@ public:
                 node.n2 = double(hit->n2);
             }
             node.end = largestChannel(node.hit->color) == 0 ? End::black : End::absorbed;
+            // The policy at_cap = "direct" looks one ray further than MAXDEPTH, but does not go on from there.
+            if (ray.depth > tree->maxDepth) node.end = End::cap;
         }
         else
         {
             node.end = End::miss;
             node.returnLine = node.line;
         }
-        if (auto* parent = openNode(); parent && node.parent == parent->id) parent->end = End::none;
+        if (auto* parent = openNode(); parent && node.parent == parent->id)
+        {
+            parent->end = End::none;
+            noteTotalReflection(*parent, ray);
+        }
         tree->nodes.push_back(node);
-        open.push_back({node.id, false});
+        open.push_back({node.id, ray.weight});
     }
 
     void shadow(const Light<Real>& light, const Point<Real>& I, const Vec3<Real>& L, Real distance, bool visible,
@@ -73,6 +79,7 @@ public:
         shadow.direction = Vec3<double>(L);
         shadow.distance = double(distance);
         shadow.visible = visible;
+        if (visible) shadow.tint = Vec3<double>(scene->shadowTint(I, L, distance));
         shadow.line = int(where.line());
         if (!visible)
             if (const auto hit = scene->intersect(Ray<Real>{.O = I, .D = L, .from = I.on}))
@@ -84,42 +91,47 @@ public:
     {
         if (!tree || open.empty()) return;
         open.back().hasOwn = true;
-        setOwn(tree->nodes[std::size_t(open.back().node)], color);
+        auto& node = tree->nodes[std::size_t(open.back().node)];
+        setOwn(node, color);
+        if (!node.hit) close(color); // the sky is all that a miss returns
+    }
+
+    void fresnel(Real Fr)
+    {
+        if (tree && !open.empty()) tree->nodes[std::size_t(open.back().node)].fresnel = double(Fr);
     }
 
     void capped(const Ray<Real>& ray, SourceLine where = SourceLine::current()) { capped(ray, Vec3<Real>(0), where); }
 
     void capped(const Ray<Real>& ray, const Vec3<Real>& color, SourceLine where = SourceLine::current())
     {
-        if (!tree) return;
-        closeDownTo(ray.depth);
-        auto* parent = openNode();
-        if (!parent) return;
-        if (parent->end != End::none) parent->end = End::cap;
-        tree->capped.push_back({parent->id, ray.kind, Vec3<double>(ray.D), double(ray.weight), Vec3<double>(color),
-                                End::cap, int(where.line())});
-        parent->contribution += passedOn(*parent, ray.weight) * Vec3<double>(color);
+        notFollowed(ray, color, End::cap, where);
+    }
+
+    void cutoff(const Ray<Real>& ray, SourceLine where = SourceLine::current())
+    {
+        notFollowed(ray, Vec3<Real>(0), End::cutoff, where);
     }
 
     void color(const Vec3<Real>& color, SourceLine where = SourceLine::current())
     {
         if (!tree) return;
-        // A miss returns before it can say a colour: the next colour is its parent's.
+        // A miss that returned black said nothing: this colour is its parent's.
         while (!open.empty() && !tree->nodes[std::size_t(open.back().node)].hit) open.pop_back();
         if (open.empty()) return;
-        const Open last = open.back();
-        auto& node = tree->nodes[std::size_t(last.node)];
-        node.radiance = Vec3<double>(color);
+        auto& node = tree->nodes[std::size_t(open.back().node)];
         node.returnLine = int(where.line());
-        if (!last.hasOwn && node.end != End::none && !hasStandIns(node.id)) setOwn(node, color);
-        open.pop_back();
+        if (!open.back().hasOwn) setOwn(node, color - open.back().brought);
+        close(color);
     }
 
 private:
     struct Open
     {
         int node;
-        bool hasOwn;
+        Real weight;                 ///< its share of its parent
+        Vec3<Real> brought{0, 0, 0}; ///< by its children so far
+        bool hasOwn = false;         ///< the lesson has said what the point itself sends
     };
 
     RayTree* tree = nullptr;
@@ -145,7 +157,43 @@ private:
         node.contribution += node.throughput * node.own;
     }
 
-    bool hasStandIns(int node) const { return !tree->capped.empty() && tree->capped.back().node == node; }
+    /// Adds what a child brought to the open node.
+    void bring(Real weight, const Vec3<Real>& color)
+    {
+        if (open.empty()) return;
+        const auto& node = *openNode();
+        open.back().brought += weight * (node.hit ? Vec3<Real>(node.hit->color) * color : color);
+    }
+
+    /// The current node returns `color` to its parent.
+    void close(const Vec3<Real>& color)
+    {
+        const Open last = open.back();
+        open.pop_back();
+        tree->nodes[std::size_t(last.node)].radiance = Vec3<double>(color);
+        if (tree->nodes[std::size_t(last.node)].parent >= 0) bring(last.weight, color);
+    }
+
+    void notFollowed(const Ray<Real>& ray, const Vec3<Real>& color, End reason, SourceLine where)
+    {
+        if (!tree) return;
+        closeDownTo(ray.depth);
+        auto* parent = openNode();
+        if (!parent) return;
+        if (parent->end != End::none) parent->end = reason;
+        noteTotalReflection(*parent, ray);
+        tree->capped.push_back({parent->id, ray.kind, Vec3<double>(ray.D), double(ray.weight), Vec3<double>(color),
+                                reason, int(where.line())});
+        parent->contribution += passedOn(*parent, ray.weight) * Vec3<double>(color);
+        bring(ray.weight, color);
+    }
+
+    /// A dielectric that reflects all of a ray on its way into the thinner medium.
+    static void noteTotalReflection(RayTree::Node& parent, const Ray<Real>& child)
+    {
+        if (child.kind == RayKind::reflected && child.weight == 1 && parent.n1 && *parent.n1 > *parent.n2)
+            parent.tir = true;
+    }
 };
 
 } // namespace rt

@@ -7,6 +7,7 @@
 #include "common/cli.h"
 #include "common/explain.h"
 #include "common/scene_file.h"
+#include "lessons/formulas.h"
 #include "lessons/registry.h"
 
 namespace rt
@@ -52,7 +53,7 @@ void printTree(const LessonEntry& lesson, const SceneDescription& scene, const L
     const RayTree tree = lesson.inspect(scene, options.precision(), probe(options, scene));
     if (options.tree == "json") std::cout << toJson(tree);
     if (options.tree == "text" || (options.tree.empty() && !options.explain)) std::cout << toText(tree);
-    if (options.explain) (options.tree == "json" ? std::cerr : std::cout) << explain(tree, scene);
+    if (options.explain) (options.tree == "json" ? std::cerr : std::cout) << explain(tree, scene, lectureFormulas());
 }
 
 int renderPicture(const LessonEntry& lesson, const SceneDescription& scene, const LessonOptions& options,
@@ -85,13 +86,23 @@ int run(const LessonEntry& lesson, const SceneDescription& scene, const LessonOp
     return renderPicture(lesson, scene, options, options.out.empty() ? command + ".png" : options.out);
 }
 
-int programMain(const LessonEntry& lesson, const std::string& program, const char* what, int argc, char** argv)
+int programMain(const LessonEntry& lesson, const std::string& program, const char* what, int argc, char** argv,
+                const std::vector<ExtraOption>& extra = {})
 {
     CLI::App app(fmt::format("{} {:02}, {}. Lecture: {}.", what, lesson.number, lesson.title, lesson.slides), program);
     LessonOptions options;
     addLessonOptions(app, options);
+    std::vector<std::string> values(extra.size());
+    for (std::size_t i = 0; i < extra.size(); ++i)
+        app.add_option(extra[i].name, values[i], extra[i].help)->type_name(extra[i].type);
     footer(app, program);
     return runMain(app, argc, argv, [&] {
+        for (std::size_t i = 0; i < extra.size(); ++i)
+            if (!values[i].empty())
+            {
+                extra[i].run(values[i]);
+                return int(exitDone);
+            }
         if (options.scene.empty()) options.scene = projectFile(lesson.scene);
         return run(lesson, loadScene(options), options, program);
     });
@@ -99,9 +110,9 @@ int programMain(const LessonEntry& lesson, const std::string& program, const cha
 
 } // namespace
 
-int lessonMain(const LessonEntry& lesson, int argc, char** argv)
+int lessonMain(const LessonEntry& lesson, int argc, char** argv, const std::vector<ExtraOption>& extra)
 {
-    return programMain(lesson, fmt::format("lesson{:02}", lesson.number), "Lesson", argc, argv);
+    return programMain(lesson, fmt::format("lesson{:02}", lesson.number), "Lesson", argc, argv, extra);
 }
 
 int exerciseMain(const LessonEntry& exercise, int argc, char** argv)

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Makes each lesson's exercise.h from its trace.h.
+"""Makes each lesson's exercise.h from its trace.h (lesson 00: geometry.h).
 
 In trace.h (and in the core where a lesson borrows from it):
     // SOLUTION id ... // END         becomes a TODO that throws NotAttempted
     // EXERCISE: text                 becomes the line `text`; it replaces the next line if both begin with the same
-                                      `const auto name = `
+                                      `const auto name = `, and right above a SOLUTION it stands in for what the
+                                      solution declares
     // EXERCISE-FROM file: f g        inserts the functions f and g of that file
 
     make_exercises.py                 writes lessons/NN_*/exercise.h
@@ -56,13 +57,16 @@ def exercise(trace, entries, solved):
     # A replaced statement starts like the line below it; an added line does not.
     text = re.sub(r"^(?P<indent> *)// EXERCISE: (?P<text>(?P<start>const auto \w+ = ).*)\n(?P=indent)(?P=start).*\n",
                   r"\g<indent>\g<text>\n", text, flags=re.M)
+    if solved:
+        text = re.sub(r"^ *// EXERCISE: .*\n(?= *// SOLUTION)", "", text, flags=re.M)
     text = re.sub(r"^( *)// EXERCISE: (.*)\n", r"\1\2\n", text, flags=re.M)
     text = SOLUTION.sub(todo, text)
+    text = re.sub(r"^template <std::floating_point Real>\n", "using Real = double;\n\n", text, flags=re.M)
     text = re.sub(r"^template <.*>\n", "using Real = double;\nusing Recorder = TreeRecorder<Real>;\n\n", text, flags=re.M)
     name = "solved" if solved else "exercise"
     text = text.replace(f"lesson{number}", f"{name}{number}").replace('"common/lesson.h"', '"common/exercise.h"')
     title = re.match(r"// Lesson (?P<title>.*)\n", text)["title"]
-    made = "Made from trace.h by make_exercises.py: the TODOs are yours."
+    made = f"Made from {trace.name} by make_exercises.py: the TODOs are yours."
     return text.replace(f"// Lesson {title}\n", f"// Exercise {title}\n// {made}\n")
 
 
@@ -73,7 +77,7 @@ def main():
     args = parser.parse_args()
     entries = manifest()
     stale = []
-    for trace in sorted(LESSONS.glob("[0-9][0-9]_*/trace.h")):
+    for trace in sorted([*LESSONS.glob("00_*/geometry.h"), *LESSONS.glob("[0-9][0-9]_*/trace.h")]):
         if "// SOLUTION" not in trace.read_text():
             continue
         text = exercise(trace, entries, bool(args.solved))

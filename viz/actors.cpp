@@ -111,24 +111,23 @@ vtkSmartPointer<vtkActor> meshActor(const Mesh& mesh, Finish finish, bool transl
 }
 
 vtkSmartPointer<vtkActor> pictureActor(const vec3& corner, const vec3& right, const vec3& down,
-                                       const std::vector<Rgba>& pixels, int width, int height)
+                                       const std::vector<std::array<double, 2>>& outline)
 {
     auto data = vtkSmartPointer<vtkPolyData>::New();
     vtkNew<vtkPoints> points;
     vtkNew<vtkFloatArray> coordinates;
     coordinates->SetName("Texture");
     coordinates->SetNumberOfComponents(2);
-    for (const auto& [u, v] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}})
+    vtkNew<vtkCellArray> polygon;
+    polygon->InsertNextCell(int(outline.size()));
+    for (const auto& [u, v] : outline)
     {
-        const vec3 p = corner + double(u) * right + double(v) * down;
-        points->InsertNextPoint(p.x, p.y, p.z);
+        const vec3 p = corner + u * right + v * down;
+        polygon->InsertCellPoint(points->InsertNextPoint(p.x, p.y, p.z));
         coordinates->InsertNextTuple2(u, v);
     }
-    vtkNew<vtkCellArray> quad;
-    const vtkIdType ids[] = {0, 1, 2, 3};
-    quad->InsertNextCell(4, ids);
     data->SetPoints(points);
-    data->SetPolys(quad);
+    data->SetPolys(polygon);
     data->GetPointData()->SetTCoords(coordinates);
 
     vtkNew<vtkPolyDataMapper> mapper;
@@ -142,7 +141,6 @@ vtkSmartPointer<vtkActor> pictureActor(const vec3& corner, const vec3& right, co
     texture->SetWrap(vtkTexture::ClampToEdge);
     texture->SetColorModeToDirectScalars();
     actor->SetTexture(texture);
-    setPicture(actor, pixels, width, height);
     return actor;
 }
 

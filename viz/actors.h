@@ -15,10 +15,10 @@ namespace rt::viz
 enum class Finish
 {
     matte,
-    chrome,   ///< mirrors: reflect a grey studio
-    glass,    ///< nearly clear, denser at the rim
-    vivid,    ///< rays: a little light of their own
-    plain     ///< no light at all
+    chrome, ///< mirrors: reflect a grey studio
+    glass,  ///< nearly clear, denser at the rim
+    vivid,  ///< rays: a little light of their own
+    plain   ///< no light at all
 };
 
 vtkSmartPointer<vtkPolyData> polyData(const Mesh& mesh);
@@ -26,9 +26,11 @@ vtkSmartPointer<vtkActor> meshActor(const Mesh& mesh, Finish finish, bool transl
 /// Replaces what an actor from meshActor shows.
 void setMesh(vtkActor* actor, const Mesh& mesh);
 
-/// A parallelogram with a picture: `pixels` row by row, the first row along `right` at `corner`.
+/// A parallelogram, or the part within `outline`, with a picture whose first row lies along `right` at `corner`.
 vtkSmartPointer<vtkActor> pictureActor(const vec3& corner, const vec3& right, const vec3& down,
-                                       const std::vector<Rgba>& pixels, int width, int height);
+                                       const std::vector<std::array<double, 2>>& outline = {
+                                           {0, 0}, {1, 0}, {1, 1}, {0, 1}});
+/// `pixels` row by row.
 void setPicture(vtkActor* actor, const std::vector<Rgba>& pixels, int width, int height);
 
 } // namespace rt::viz

@@ -18,7 +18,7 @@ namespace rt::viz
 struct TextLook
 {
     Font font = Font::sans;
-    double size = 14;   ///< pixels, before scaling
+    double size = 14; ///< pixels, before scaling
     Rgba color = color::text;
 };
 

@@ -7,7 +7,7 @@ namespace rt::viz
 
 namespace
 {
-constexpr int deepestCap = 1024;   // as --depth allows
+constexpr int deepestCap = 1024; // as --depth allows
 }
 
 Controller::Controller(Session chosen) : session(std::move(chosen))

@@ -16,7 +16,7 @@ struct Session
     const LessonEntry* lesson = nullptr;
     Precision precision = Precision::doubled;
     RenderOptions render;
-    Probe probe = std::array<int, 2>{0, 0};   ///< inside the picture
+    Probe probe = std::array<int, 2>{0, 0}; ///< inside the picture
 };
 
 /// What an action has changed, as a sum.

@@ -46,7 +46,8 @@ void restartWithDisplay(char** argv, int width, int height)
     std::string program = argv[0];
     std::error_code error;
     if (const auto self = std::filesystem::read_symlink("/proc/self/exe", error); !error) program = self.string();
-    const auto screen = fmt::format("-screen 0 {}x{}x24", width, height);
+    // -noreset: otherwise Xvfb signals xvfb-run when the last client leaves, which sometimes disturbs its cleaning up.
+    const auto screen = fmt::format("-screen 0 {}x{}x24 -noreset", width, height);
     std::vector<const char*> arguments{"xvfb-run", "-a", "-s", screen.c_str(), program.c_str()};
     for (char** argument = argv + 1; *argument; ++argument) arguments.push_back(*argument);
     arguments.push_back(nullptr);

@@ -52,8 +52,9 @@ std::vector<vec3> objectPoints(const SceneDescription& scene)
     for (const auto& sphere : scene.spheres)
         if (!isBackdrop(sphere, scene.camera))
             for (int corner = 0; corner < 8; ++corner)
-                points.push_back(sphere.center + 0.8 * sphere.radius * vec3(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1,
-                                                                            corner & 4 ? 1 : -1));
+                points.push_back(sphere.center +
+                                 0.8 * sphere.radius *
+                                     vec3(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1));
     for (const auto& triangle : scene.triangles)
         for (const auto& vertex : triangle.vertices)
             if (isNear(vertex, scene.camera)) points.push_back(vertex);

@@ -15,7 +15,7 @@ using vec3 = Vec3<double>;
 struct Extent
 {
     vec3 centre{0, 0, 0};
-    double radius = 1;   ///< > 0
+    double radius = 1; ///< > 0
 };
 
 /// The smallest of the easily found spheres around points; the fallback if none of them is finite.
@@ -38,9 +38,9 @@ std::optional<double> sizeOf(const SceneDescription& scene, const std::string& p
 struct ImagePlane
 {
     vec3 eye{0, 0, 0};
-    vec3 topLeft{0, 0, 0}, right{1, 0, 0}, down{0, -1, 0};   ///< edges with their full lengths
+    vec3 topLeft{0, 0, 0}, right{1, 0, 0}, down{0, -1, 0}; ///< edges with their full lengths
 
-    vec3 at(double x, double y) const { return topLeft + x * right + y * down; }   ///< x, y in [0, 1]
+    vec3 at(double x, double y) const { return topLeft + x * right + y * down; } ///< x, y in [0, 1]
 };
 
 ImagePlane imagePlane(const CameraDescription& camera, const Extent& extent);

@@ -51,7 +51,7 @@ void ImagePane::resample()
 bool ImagePane::click(int x, int y)
 {
     if (const auto pixel = view.pixelAt(x + 0.5, y + 0.5)) controller.choosePixel((*pixel)[0], (*pixel)[1]);
-    return false;   // the controller says what has changed
+    return false; // the controller says what has changed
 }
 
 bool ImagePane::drag(int dx, int dy)

@@ -38,7 +38,8 @@ std::vector<Box> candidates(const LabelRequest& request)
     std::vector<Box> boxes;
     if (request.line >= 0)
         for (const auto& anchor : request.anchors)
-            boxes.push_back({anchor[0] - request.width / 2, anchor[1] - request.height / 2, request.width, request.height});
+            boxes.push_back(
+                {anchor[0] - request.width / 2, anchor[1] - request.height / 2, request.width, request.height});
     for (const double distance : {1.0, 2.2})
         for (const auto& anchor : request.anchors)
             for (const int eighth : {2, 0, 1, 7, 3, 6, 4, 5})
@@ -55,7 +56,8 @@ std::vector<Box> candidates(const LabelRequest& request)
 } // namespace
 
 std::vector<std::optional<Box>> placeLabels(const std::vector<LabelRequest>& requests, double width, double height,
-                                            const std::vector<std::array<vec2, 2>>& lines, const std::vector<Box>& taken)
+                                            const std::vector<std::array<vec2, 2>>& lines,
+                                            const std::vector<Box>& taken)
 {
     std::vector<std::size_t> order(requests.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
@@ -72,7 +74,8 @@ std::vector<std::optional<Box>> placeLabels(const std::vector<LabelRequest>& req
         for (const auto& box : candidates(request))
         {
             if (box.x < 2 || box.y < 2 || box.x + box.width > width - 2 || box.y + box.height > height - 2) continue;
-            if (std::any_of(used.begin(), used.end(), [&](const Box& other) { return box.overlaps(other, 3); })) continue;
+            if (std::any_of(used.begin(), used.end(), [&](const Box& other) { return box.overlaps(other, 3); }))
+                continue;
             int crossed = 0;
             for (std::size_t i = 0; i < lines.size(); ++i)
                 if (int(i) != request.line) crossed += crosses(lines[i], box, 1);

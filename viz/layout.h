@@ -14,7 +14,7 @@ struct Rect
 
 struct Layout
 {
-    double scale = 1;   ///< of text and spacing
+    double scale = 1; ///< of text and spacing
     Rect title, image, numbers, scene, strip;
 };
 

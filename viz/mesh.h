@@ -13,8 +13,8 @@ namespace rt::viz
 struct Mesh
 {
     std::vector<vec3> points;
-    std::vector<vec3> normals;   ///< one a point, unit
-    std::vector<Rgba> colors;    ///< one a point
+    std::vector<vec3> normals; ///< one a point, unit
+    std::vector<Rgba> colors;  ///< one a point
     std::vector<std::array<int, 3>> triangles;
 
     bool empty() const { return triangles.empty(); }

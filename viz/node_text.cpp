@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "common/explain.h"
+#include "lessons/formulas.h"
 
 namespace rt::viz
 {
@@ -58,10 +59,14 @@ std::string whyItEnds(const RayTree::Node& node, int maxDepth)
 {
     switch (node.end)
     {
-    case End::cap: return fmt::format("The next ray would be deeper than MAXDEPTH = {}: it was not followed.", maxDepth);
-    case End::cutoff: return "The next ray could not have added enough: it was not followed.";
-    case End::black: return "The surface is black: nothing more can come from it.";
-    default: return "";
+    case End::cap:
+        return fmt::format("The next ray would be deeper than MAXDEPTH = {}: it was not followed.", maxDepth);
+    case End::cutoff:
+        return "The next ray could not have added enough: it was not followed.";
+    case End::black:
+        return "The surface is black: nothing more can come from it.";
+    default:
+        return "";
     }
 }
 
@@ -128,7 +133,7 @@ std::vector<TextLine> nodeText(const Controller& controller, std::size_t columns
     if (node->orphan)
         add(lines, TextStyle::note, "An orphan: its parent cannot be told from its depth. Was its depth set by hand?",
             columns);
-    for (const auto& formula : explainNode(controller.tree(), controller.scene(), node->id))
+    for (const auto& formula : explainNode(controller.tree(), controller.scene(), lectureFormulas(), node->id))
     {
         const auto used = characters(formula.title) + characters(formula.symbolic);
         if (formula.symbolic.find('\n') == std::string::npos && used + 2 <= columns)

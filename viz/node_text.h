@@ -21,7 +21,7 @@ struct TextLine
 {
     TextStyle style = TextStyle::numbers;
     std::string text;
-    std::string besides = {};   ///< of a title: the formula, if it fits on the same line
+    std::string besides = {}; ///< of a title: the formula, if it fits on the same line
 };
 
 /// The node's formulas, one after the other; lines are no longer than `columns` characters.

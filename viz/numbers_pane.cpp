@@ -137,7 +137,8 @@ void NumbersPane::paint(Canvas& canvas)
     canvas.fill({pad, area.height - head, width - 2 * pad, 1}, color::line);
     if (overflow > 0)
     {
-        const double track = area.height - head - canvas.px(8), bar = std::max(canvas.px(24), track * track / (track + overflow));
+        const double track = area.height - head - canvas.px(8),
+                     bar = std::max(canvas.px(24), track * track / (track + overflow));
         const double top = area.height - head - canvas.px(4) - (track - bar) * scrolled / overflow;
         canvas.roundedBox({width - canvas.px(9), top - bar, canvas.px(4), bar}, canvas.px(2), color::textFaint);
     }

@@ -9,7 +9,7 @@ namespace rt::viz
 struct ObjectMeshes
 {
     Mesh matte, chrome, glass;
-    Mesh backdrop;   ///< the near part of spheres that serve as a floor, fading out
+    Mesh backdrop; ///< the near part of spheres that serve as a floor, fading out
 };
 
 /// `shown`: how much of the backdrop is wanted.

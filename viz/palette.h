@@ -30,34 +30,50 @@ enum class RayRole
     camera,
     reflected,
     transmitted,
-    reaches,   ///< a shadow ray that reaches its light
-    blocked,   ///< a shadow ray, up to what is in its way
-    beyond,    ///< the rest of it, which no light travels
+    reaches, ///< a shadow ray that reaches its light
+    blocked, ///< a shadow ray, up to what is in its way
+    beyond,  ///< the rest of it, which no light travels
     normal
 };
+
+constexpr bool isRay(RayRole role)
+{
+    return role == RayRole::camera || role == RayRole::reflected || role == RayRole::transmitted;
+}
+
+constexpr bool isShadow(RayRole role)
+{
+    return role == RayRole::reaches || role == RayRole::blocked || role == RayRole::beyond;
+}
 
 constexpr Rgba colorOf(RayRole role)
 {
     switch (role)
     {
-    case RayRole::camera: return {86, 180, 233};
-    case RayRole::reflected: return {245, 159, 20};
-    case RayRole::transmitted: return {18, 190, 140};
-    case RayRole::reaches: return {246, 233, 98};
+    case RayRole::camera:
+        return {86, 180, 233};
+    case RayRole::reflected:
+        return {245, 159, 20};
+    case RayRole::transmitted:
+        return {32, 166, 76};
+    case RayRole::reaches:
+        return {246, 233, 98};
     case RayRole::blocked:
-    case RayRole::beyond: return {222, 110, 178};
-    case RayRole::normal: break;
+    case RayRole::beyond:
+        return {222, 110, 178};
+    case RayRole::normal:
+        break;
     }
     return {226, 232, 240};
 }
 
 namespace color
 {
-inline constexpr Rgba window{13, 17, 23};       // behind everything
-inline constexpr Rgba panel{20, 26, 35};        // panes with text
-inline constexpr Rgba panelRaised{31, 40, 53};  // chips and key caps
-inline constexpr Rgba line{44, 55, 71};         // between panes
-inline constexpr Rgba skyLow{19, 25, 34};       // background of the 3D view
+inline constexpr Rgba window{13, 17, 23};      // behind everything
+inline constexpr Rgba panel{20, 26, 35};       // panes with text
+inline constexpr Rgba panelRaised{31, 40, 53}; // chips and key caps
+inline constexpr Rgba line{44, 55, 71};        // between panes
+inline constexpr Rgba skyLow{19, 25, 34};      // background of the 3D view
 inline constexpr Rgba skyHigh{38, 50, 68};
 inline constexpr Rgba text{226, 232, 240};
 inline constexpr Rgba textDim{148, 163, 184};

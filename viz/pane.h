@@ -34,7 +34,7 @@ public:
 
     /// Mouse events, in pixels of the pane; true if the pane must be drawn again.
     virtual bool click(int, int) { return false; }
-    virtual bool drag(int, int) { return false; }   ///< by how much
+    virtual bool drag(int, int) { return false; } ///< by how much
     virtual bool wheel(int, int, bool) { return false; }
 
 protected:

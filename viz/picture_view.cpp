@@ -6,6 +6,12 @@
 namespace rt::viz
 {
 
+double fromSrgb8(unsigned char value)
+{
+    const double x = value / 255.0;
+    return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
+}
+
 ScreenPicture::ScreenPicture(const Image& image) : ScreenPicture(image.width, image.height)
 {
     for (std::size_t i = 0; i < pixels.size(); ++i)

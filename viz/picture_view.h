@@ -28,6 +28,9 @@ private:
     ScreenPicture(int w, int h) : width(w), height(h), pixels(std::size_t(w) * std::size_t(h)) {}
 };
 
+/// The linear value that toSrgb8 turns into this one again.
+double fromSrgb8(unsigned char value);
+
 /// Pane coordinates are pixels with y up from the pane's lower left; picture coordinates are pixels with y down.
 class PictureView
 {
@@ -54,7 +57,7 @@ public:
 private:
     int width = 1, height = 1, paneWidth_ = 1, paneHeight_ = 1;
     double pixelsPerPixel = 1, fittedZoom = 1;
-    double left = 0, top = 0;   // pane coordinates of the picture's top left corner
+    double left = 0, top = 0; // pane coordinates of the picture's top left corner
     bool zoomed = false;
 };
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include <tbb/parallel_for.h>
+#include <execution>
+#include <numeric>
 
 #include "common/image.h"
 #include "common/scene.h"
@@ -57,8 +57,9 @@ struct Painter
         constexpr int n = 3;
         for (int j = 0; j < n; ++j)
             for (int i = 0; i < n; ++i)
-                sum += scene.materials[std::size_t(plane.materialAt(patch.at(
-                                           u + step * ((i + 0.5) / n - 0.5), v + step * ((j + 0.5) / n - 0.5))))]
+                sum += scene
+                           .materials[std::size_t(plane.materialAt(
+                               patch.at(u + step * ((i + 0.5) / n - 0.5), v + step * ((j + 0.5) / n - 0.5))))]
                            .color;
         return sum / double(n * n);
     }
@@ -79,6 +80,26 @@ struct Painter
     }
 };
 
+/// Keeps the part of the patch on that side of an opaque plane on which the eye is (Sutherland and Hodgman).
+void cut(PlanePatch& patch, const SceneDescription& scene, const PlaneDescription& by)
+{
+    if (scene.materials[std::size_t(by.material)].isDielectric()) return;
+    vec3 N = unit(by.normal);
+    if (dot(scene.camera.eye - by.point, N) < 0) N = -N;
+    const auto height = [&](const std::array<double, 2>& uv) { return dot(patch.at(uv[0], uv[1]) - by.point, N); };
+    std::vector<std::array<double, 2>> kept;
+    for (std::size_t i = 0; i < patch.outline.size(); ++i)
+    {
+        const auto &from = patch.outline[i], &to = patch.outline[(i + 1) % patch.outline.size()];
+        const double a = height(from), b = height(to);
+        if (a >= 0) kept.push_back(from);
+        if ((a < 0) == (b < 0)) continue;
+        const double t = a / (a - b);
+        kept.push_back({from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1])});
+    }
+    patch.outline = kept;
+}
+
 } // namespace
 
 std::vector<PlanePatch> planePatches(const SceneDescription& scene, const Extent& shown)
@@ -90,9 +111,8 @@ std::vector<PlanePatch> planePatches(const SceneDescription& scene, const Extent
         const auto& plane = scene.planes[i];
         const auto& material = scene.materials[std::size_t(plane.material)];
         vec3 N = unit(plane.normal);
-        const double height = dot(shown.centre - plane.point, N);
-        const vec3 centre = shown.centre - height * N;
-        if (height < 0) N = -N;
+        const vec3 centre = shown.centre - dot(shown.centre - plane.point, N) * N;
+        if (dot(scene.camera.eye - plane.point, N) < 0) N = -N;
         const auto [u, v] = across(N);
         const double half = 1.5 * shown.radius;
         PlanePatch patch;
@@ -102,7 +122,9 @@ std::vector<PlanePatch> planePatches(const SceneDescription& scene, const Extent
         patch.corner = centre - half * u - half * v;
         patch.seeThrough = material.isMirror() || material.isDielectric();
         patch.isFloor = dot(N, up) > 0.7;
-        if (isFinite(patch.corner)) patches.push_back(patch);
+        for (std::size_t j = 0; j < scene.planes.size(); ++j)
+            if (j != i) cut(patch, scene, scene.planes[j]);
+        if (isFinite(patch.corner) && patch.outline.size() >= 3) patches.push_back(patch);
     }
     return patches;
 }
@@ -115,8 +137,10 @@ PatchPicture paintPatch(const PlanePatch& patch, const SceneDescription& scene, 
     const auto index = [side](int i, int j) { return std::size_t(j) * std::size_t(side) + std::size_t(i); };
     const auto cells = std::size_t(side) * std::size_t(side);
     std::vector<vec3> light(patch.seeThrough ? 0 : cells);
-    const auto forEach = [side](const auto& work) {
-        tbb::parallel_for(0, side, [&](int j) {
+    std::vector<int> rows(static_cast<std::size_t>(side));
+    std::iota(rows.begin(), rows.end(), 0);
+    const auto forEach = [&](const auto& work) {
+        std::for_each(std::execution::par, rows.begin(), rows.end(), [&](int j) {
             for (int i = 0; i < side; ++i) work(i, j, (i + 0.5) / side, (j + 0.5) / side);
         });
     };
@@ -135,7 +159,9 @@ PatchPicture paintPatch(const PlanePatch& patch, const SceneDescription& scene, 
         return sum / 9.0;
     };
     PatchPicture picture{side, std::vector<Rgba>(cells)};
-    forEach([&](int i, int j, double u, double v) { picture.pixels[index(i, j)] = painter.at(u, v, 1.0 / side, soft(i, j)); });
+    forEach([&](int i, int j, double u, double v) {
+        picture.pixels[index(i, j)] = painter.at(u, v, 1.0 / side, soft(i, j));
+    });
     return picture;
 }
 

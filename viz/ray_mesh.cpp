@@ -9,11 +9,6 @@ namespace rt::viz
 namespace
 {
 
-bool isShadow(RayRole role)
-{
-    return role == RayRole::reaches || role == RayRole::blocked || role == RayRole::beyond;
-}
-
 struct Builder
 {
     const RayDrawing& drawing;
@@ -29,7 +24,7 @@ struct Builder
     }
 
     /// The head from `tip` backwards; returns where the shaft ends.
-    vec3 addHead(const Segment& segment, double radius, const vec3& tip, const Rgba& color)
+    static vec3 addHead(Mesh& target, const Segment& segment, double radius, const vec3& tip, const Rgba& color)
     {
         const vec3 axis = unit(segment.to - segment.from);
         const bool thin = isShadow(segment.role) || segment.role == RayRole::normal;
@@ -38,15 +33,15 @@ struct Builder
         headLength *= shrink;
         headRadius *= std::max(0.6, shrink);
         const vec3 base = tip - headLength * axis;
-        addCone(mesh.solid, base, tip, headRadius, color);
+        addCone(target, base, tip, headRadius, color);
         if (segment.role == RayRole::reflected)
-            addCone(mesh.solid, base - 0.95 * headLength * axis, base, headRadius, color);
+            addCone(target, base - 0.95 * headLength * axis, base, headRadius, color);
         if (segment.role == RayRole::transmitted)
-            addDisc(mesh.solid, base - 0.45 * headLength * axis, axis, headRadius, 0.22 * headLength, color);
+            addDisc(target, base - 0.45 * headLength * axis, axis, headRadius, 0.22 * headLength, color);
         return base + 0.05 * headLength * axis;
     }
 
-    void addDashes(const Segment& segment, double radius, const Rgba& color)
+    void addDashes(Mesh& target, const Segment& segment, double radius, const Rgba& color)
     {
         const double dash = 0.05 * drawing.size, whole = segment.length();
         const int count = std::clamp(int(whole / (1.8 * dash)), 1, 400);
@@ -54,7 +49,7 @@ struct Builder
         for (int i = 0; i < count; ++i)
         {
             const vec3 from = segment.from + (i + 0.4) * step;
-            addTube(mesh.solid, from, from + 0.52 * step, radius, color, color);
+            addTube(target, from, from + 0.52 * step, radius, color, color);
         }
     }
 
@@ -76,7 +71,7 @@ struct Builder
     {
         const Segment segment = trimmed(whole);
         if (segment.role == RayRole::normal && !style.withNormals) return;
-        const bool selected = segment.node == style.selected && !segment.notTraced;
+        const bool selected = segment.node == style.selected && !segment.notTraced();
         double radius = radiusOf(segment);
         Rgba color = colorOf(segment.role);
         if (selected && !isShadow(segment.role) && segment.role != RayRole::normal)
@@ -85,25 +80,29 @@ struct Builder
             addGlow(segment, radius, mix(color, {255, 255, 255}, 0.5));
         }
         if (!selected && style.selected >= 0) color = mix(color, color::skyHigh, 0.12);
-        if (segment.role == RayRole::beyond) return addDashes(segment, radius, color);
+        // In a large tree the shadow rays of other nodes step back.
+        const bool stepsBack = drawing.nodes > crowded && isShadow(segment.role) && segment.node != style.selected;
+        if (stepsBack) color = color.withAlpha(0.4);
+        Mesh& target = stepsBack ? mesh.fading : mesh.solid;
+        if (segment.role == RayRole::beyond) return addDashes(target, segment, radius, color);
         if (segment.fades)
         {
             // Opaque for the first part, so that a long ray is not pale as a whole.
-            const vec3 middle = segment.notTraced ? segment.from : segment.from + 0.55 * (segment.to - segment.from);
-            if (!segment.notTraced)
+            const vec3 middle = segment.notTraced() ? segment.from : segment.from + 0.55 * (segment.to - segment.from);
+            if (!segment.notTraced())
             {
                 const vec3 tip = middle;
                 Segment firstPart = segment;
                 firstPart.to = middle;
                 addTube(mesh.solid, segment.from, middle, radius, color, color);
-                if (segment.hasHead) addHead(firstPart, radius, tip, color);
+                if (segment.hasHead) addHead(mesh.solid, firstPart, radius, tip, color);
             }
-            addTube(mesh.fading, middle, segment.to, radius, color.withAlpha(segment.notTraced ? 0.8 : 1),
+            addTube(mesh.fading, middle, segment.to, radius, color.withAlpha(segment.notTraced() ? 0.8 : 1),
                     color.withAlpha(0));
             return;
         }
-        const vec3 end = segment.hasHead ? addHead(segment, radius, segment.to, color) : segment.to;
-        addTube(mesh.solid, segment.from, end, radius, color, color);
+        const vec3 end = segment.hasHead ? addHead(target, segment, radius, segment.to, color) : segment.to;
+        addTube(target, segment.from, end, radius, color, color);
     }
 };
 

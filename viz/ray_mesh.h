@@ -9,16 +9,16 @@ namespace rt::viz
 
 struct RayMesh
 {
-    Mesh solid;    ///< opaque
-    Mesh fading;   ///< with transparency
-    Mesh glow;     ///< around the selected ray, with transparency and without shading
+    Mesh solid;  ///< opaque
+    Mesh fading; ///< with transparency
+    Mesh glow;   ///< around the selected ray, with transparency and without shading
 };
 
 struct RayMeshStyle
 {
-    int selected = -1;         ///< this node is drawn wider, within a glow, and the others a little paler
+    int selected = -1; ///< this node is drawn wider, within a glow, and the others a little paler
     bool withNormals = true;
-    double width = 1;          ///< factor
+    double width = 1; ///< factor
 };
 
 /// Heads: one cone for the camera ray, two for reflected rays, a cone and a disc for transmitted ones, a slim one for

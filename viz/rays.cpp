@@ -61,7 +61,8 @@ struct Drawer
         else
         {
             segment.fades = true;
-            segment.to = node.origin + (node.hit ? longest : reach(node.origin, node.direction, objects)) * node.direction;
+            segment.to =
+                node.origin + (node.hit ? longest : reach(node.origin, node.direction, objects)) * node.direction;
         }
         add(segment);
     }
@@ -110,7 +111,7 @@ struct Drawer
              .weight = 0.5 * std::clamp(largestChannel(node.throughput) * capped.weight, 0.0, 1.0),
              .hasHead = false,
              .fades = true,
-             .notTraced = true});
+             .stopped = capped.reason});
     }
 };
 
@@ -163,7 +164,7 @@ std::string subscript(int number)
         if (c == '-')
             digits += "₋";
         else
-            digits += std::string("\xE2\x82") + char(0x80 + (c - '0'));   // U+2080: subscript zero
+            digits += std::string("\xE2\x82") + char(0x80 + (c - '0')); // U+2080: subscript zero
     return digits;
 }
 

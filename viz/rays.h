@@ -11,14 +11,15 @@ namespace rt::viz
 struct Segment
 {
     RayRole role = RayRole::camera;
-    int node = 0;       ///< the ray itself, or the node at whose hit point a shadow ray or a normal starts
-    int light = -1;     ///< of shadow rays
+    int node = 0;   ///< the ray itself, or the node at whose hit point a shadow ray or a normal starts
+    int light = -1; ///< of shadow rays
     vec3 from{0, 0, 0}, to{0, 0, 0};
-    double weight = 1;        ///< largest channel of the throughput, in [0, 1]
-    bool hasHead = true;      ///< an arrow head at `to`
-    bool fades = false;       ///< it goes on beyond `to`, further than is drawn
-    bool notTraced = false;   ///< the cap forbade it: only its beginning is drawn
+    double weight = 1;       ///< largest channel of the throughput, in [0, 1]
+    bool hasHead = true;     ///< an arrow head at `to`
+    bool fades = false;      ///< it goes on beyond `to`, further than is drawn
+    End stopped = End::none; ///< why it was not traced: only its beginning is drawn
 
+    bool notTraced() const { return stopped != End::none; }
     double length() const { return glm::length(to - from); }
 };
 
@@ -34,9 +35,12 @@ struct RayDrawing
 {
     std::vector<Segment> segments;
     std::vector<BlockerMark> blockers;
-    int nodes = 0;    ///< rays of the tree that are drawn: all of them, or the least deep ones
-    double size = 1;  ///< radius of the objects: what all widths are relative to
+    int nodes = 0;   ///< rays of the tree that are drawn: all of them, or the least deep ones
+    double size = 1; ///< radius of the objects: what all widths are relative to
 };
+
+/// Trees of more nodes are drawn with less around the node that is selected.
+inline constexpr int crowded = 6;
 
 /// At most this many nodes are drawn, of the lowest depths.
 inline constexpr int mostDrawnNodes = 1500;

@@ -21,9 +21,9 @@ namespace rt::viz
 namespace
 {
 
-constexpr int patchSide = 768;      // pixels of a plane's picture
-constexpr double frameWidth = 0.006;    // of the objects' extent
-constexpr int planePicture = 1024;  // largest side of the picture on the image plane
+constexpr int patchSide = 768;       // pixels of a plane's picture
+constexpr double frameWidth = 0.006; // of the objects' extent
+constexpr int planePicture = 1024;   // largest side of the picture on the image plane
 
 vtkSmartPointer<vtkActor> glowActor(const SceneDescription& scene, double radius)
 {
@@ -59,9 +59,6 @@ ScenePane::ScenePane(Controller& watched) : Pane(watched), objects(objectExtent(
     view->GradientBackgroundOn();
     view->SetBackground(color::skyLow.r / 255.0, color::skyLow.g / 255.0, color::skyLow.b / 255.0);
     view->SetBackground2(color::skyHigh.r / 255.0, color::skyHigh.g / 255.0, color::skyHigh.b / 255.0);
-    view->SetUseDepthPeeling(true);
-    view->SetMaximumNumberOfPeels(6);
-    view->SetOcclusionRatio(0.01);
     view->SetUseFXAA(true);
 
     screen = imagePlane(controller.scene().camera, objects);
@@ -97,16 +94,16 @@ void ScenePane::buildObjects()
     const auto& scene = controller.scene();
     const Extent shown = around(shownPoints(true), objects);
     const auto meshes = objectMeshes(scene, shown);
+    buildPlanes(shown);
     renderer()->AddActor(meshActor(meshes.backdrop, Finish::matte, true));
     renderer()->AddActor(meshActor(meshes.matte, Finish::matte));
     renderer()->AddActor(meshActor(meshes.chrome, Finish::chrome));
     renderer()->AddActor(meshActor(meshes.glass, Finish::glass));
     frustum = meshActor({}, Finish::plain);
     renderer()->AddActor(frustum);
-    buildPlanes(shown);
-    buildLights(shown);
+    buildLights();
 
-    picture = pictureActor(screen.topLeft, screen.right, screen.down, {Rgba{}}, 1, 1);
+    picture = pictureActor(screen.topLeft, screen.right, screen.down);
     picture->GetProperty()->SetOpacity(0.85);
     picture->ForceTranslucentOn();
     renderer()->AddActor(picture);
@@ -121,25 +118,34 @@ void ScenePane::buildPlanes(const Extent& shown)
     // Without what is high above the floor, so that the floor lies under the objects.
     Extent ground = shown;
     ground.centre = 0.5 * (shown.centre + objects.centre);
-    patches = planePatches(scene, ground);
-    for (const auto& patch : patches)
+    for (const auto& patch : planePatches(scene, ground))
     {
         const auto painted = paintPatch(patch, scene, patchSide);
-        const auto actor = pictureActor(patch.corner, patch.right, patch.forward, painted.pixels, painted.side, painted.side);
-        actor->ForceTranslucentOn();
-        renderer()->AddActor(actor);
-        if (patch.isFloor || patch.seeThrough) continue;
+        const auto add = [&]() {
+            const auto actor = pictureActor(patch.corner, patch.right, patch.forward, patch.outline);
+            setPicture(actor, painted.pixels, painted.side, painted.side);
+            renderer()->AddActor(actor);
+            return actor;
+        };
+        const auto actor = add();
+        if (patch.seeThrough)
+        {
+            actor->ForceTranslucentOn();
+            continue;
+        }
+        // Planes are what is furthest away: drawn first they may fade into the background without being sorted.
+        actor->ForceOpaqueOn();
+        if (patch.isFloor) continue;
         // A wall hides nothing from behind: there it is only hinted at.
         actor->GetProperty()->BackfaceCullingOn();
-        const auto hint = pictureActor(patch.corner, patch.right, patch.forward, painted.pixels, painted.side, painted.side);
+        const auto hint = add();
         hint->GetProperty()->FrontfaceCullingOn();
         hint->GetProperty()->SetOpacity(0.12);
         hint->ForceTranslucentOn();
-        renderer()->AddActor(hint);
     }
 }
 
-void ScenePane::buildLights(const Extent&)
+void ScenePane::buildLights()
 {
     const auto& scene = controller.scene();
     const double radius = lightRadius(drawing);
@@ -158,7 +164,8 @@ void ScenePane::buildLights(const Extent&)
         const vec3 d = lamp.position - objects.centre;
         return largestChannel(lamp.color) / std::max(1e-9, dot(d, d));
     };
-    std::stable_sort(lamps.begin(), lamps.end(), [&](const auto& a, const auto& b) { return strength(a) > strength(b); });
+    std::stable_sort(lamps.begin(), lamps.end(),
+                     [&](const auto& a, const auto& b) { return strength(a) > strength(b); });
     lamps.resize(std::min<std::size_t>(lamps.size(), 3));
     double all = 0;
     for (const auto& lamp : lamps) all += strength(lamp);
@@ -278,11 +285,11 @@ void ScenePane::look(const View& view)
 
 void ScenePane::viewChanged()
 {
-    // Lines are at most as wide as suits the scene, and near by not much wider than suits the screen.
+    // Lines are as wide as suits the scene, but neither hairs from afar nor pipes near by.
     const View now = view();
     const Projector projector(now, area.width, area.height);
     const double widest = tubeRadius(drawing) * projector.pixelsPerUnit(now.focal);
-    const double factor = std::min(1.0, 6 * scale / widest);
+    const double factor = std::clamp(1.0, 2.3 * scale / widest, 6 * scale / widest);
     if (std::abs(factor - lineWidth) < 0.08 * lineWidth) return;
     lineWidth = factor;
     rebuildRays();
@@ -306,7 +313,6 @@ View ScenePane::view()
 void ScenePane::setMoving(bool moving)
 {
     renderer()->SetUseFXAA(!moving);
-    renderer()->SetMaximumNumberOfPeels(moving ? 2 : 6);
 }
 
 bool ScenePane::click(int x, int y)

@@ -31,17 +31,16 @@ public:
 
 private:
     Extent objects;
-    double lineWidth = 1;   // factor; less than 1 when the viewer is near
+    double lineWidth = 1; // factor; less than 1 when the viewer is near, more when he is far away
     RayDrawing drawing;
     ImagePlane screen;
-    std::vector<PlanePatch> patches;
-    vtkNew<vtkRenderer> front;   // what shines through whatever hides it, and the labels
+    vtkNew<vtkRenderer> front; // what shines through whatever hides it, and the labels
     vtkSmartPointer<vtkActor> solidRays, fadingRays, glow, hiddenRays, frustum, picture, chosenPixel;
 
     void paint(Canvas& canvas) override;
     void buildObjects();
     void buildPlanes(const Extent& shown);
-    void buildLights(const Extent& shown);
+    void buildLights();
     void buildFront();
     void rebuildRays();
     void updatePicture();

@@ -18,8 +18,8 @@ private:
 
 struct KeyHelp
 {
-    const char* keys;    ///< separated by spaces, each drawn as a key
-    const char* brief;   ///< for the strip; empty: only on the cheat sheet
+    const char* keys;  ///< separated by spaces, each drawn as a key
+    const char* brief; ///< for the strip; empty: only on the cheat sheet
     const char* what;
 };
 

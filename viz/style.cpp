@@ -12,7 +12,7 @@ namespace rt::viz
 
 namespace
 {
-constexpr int clickDistance = 4;   // pixels; further is a drag
+constexpr int clickDistance = 4; // pixels; further is a drag
 }
 
 vtkStandardNewMacro(Style);
@@ -67,10 +67,17 @@ void Style::endMotion()
     pressed = dragging = false;
     switch (this->State)
     {
-    case VTKIS_ROTATE: this->EndRotate(); break;
-    case VTKIS_PAN: this->EndPan(); break;
-    case VTKIS_DOLLY: this->EndDolly(); break;
-    default: return;
+    case VTKIS_ROTATE:
+        this->EndRotate();
+        break;
+    case VTKIS_PAN:
+        this->EndPan();
+        break;
+    case VTKIS_DOLLY:
+        this->EndDolly();
+        break;
+    default:
+        return;
     }
     window->endMotion();
 }

@@ -22,36 +22,46 @@ void TitlePane::paint(Canvas& canvas)
     const double middle = area.height / 2.0, gap = canvas.px(26), pad = canvas.px(16);
     canvas.fill({0, 0, double(area.width), 1}, color::line);
 
-    // From the right: the facts of the pixel. What is left of the line belongs to the title.
+    // The facts of the pixel stand at the right, the last ones only if there is room. The rest of the line is the title's.
     struct Fact
     {
         std::string name, value;
+        bool withSwatch = false;
     };
-    std::vector<Fact> facts;
     const Vec3<double> radiance = tree.nodes.empty() ? Vec3<double>(0) : tree.nodes[0].radiance;
+    std::vector<Fact> facts;
     if (const auto pixel = controller.pixel())
         facts.push_back({"pixel", fmt::format("{}, {}", (*pixel)[0], (*pixel)[1])});
     else
         facts.push_back({"one given ray", ""});
-    facts.push_back({"radiance", shortText(radiance)});
+    facts.push_back({"radiance", shortText(radiance), true});
     facts.push_back({"depth", fmt::format("{} of {}", controller.deepest(), controller.maxDepth())});
     facts.push_back({"real", name(controller.precision())});
 
     const TextLook label{Font::sans, 13, color::textFaint}, value{Font::sans, 14, color::text};
-    const double swatch = canvas.px(16);
-    double x = area.width - pad;
-    for (auto fact = facts.rbegin(); fact != facts.rend(); ++fact)
+    const double swatch = canvas.px(16), between = canvas.px(7);
+    const auto widthOf = [&](const Fact& fact) {
+        return canvas.textWidth(fact.name, label) + between + canvas.textWidth(fact.value, value) +
+               (fact.withSwatch ? swatch + between : 0) + gap;
+    };
+    double wanted = pad - gap;
+    for (const auto& fact : facts) wanted += widthOf(fact);
+    while (!facts.empty() && wanted > 0.68 * area.width)
     {
-        const bool isRadiance = fact->name == "radiance";
-        const double names = canvas.textWidth(fact->name, label), values = canvas.textWidth(fact->value, value);
-        const double start = x - names - canvas.px(7) - values - (isRadiance ? swatch + canvas.px(8) : 0);
-        if (start < 0.3 * area.width) continue;
-        canvas.text(start, middle, fact->name, label);
-        canvas.text(start + names + canvas.px(7), middle, fact->value, value);
-        if (isRadiance)
-            canvas.roundedBox({x - swatch, middle - swatch / 2, swatch, swatch}, canvas.px(3),
+        wanted -= widthOf(facts.back());
+        facts.pop_back();
+    }
+    const double x = area.width - wanted - gap;
+    double at = area.width - wanted;
+    for (const auto& fact : facts)
+    {
+        const double start = at;
+        at += canvas.text(at, middle, fact.name, label) + between;
+        at += canvas.text(at, middle, fact.value, value) + between;
+        if (fact.withSwatch)
+            canvas.roundedBox({at, middle - swatch / 2, swatch, swatch}, canvas.px(3),
                               {toSrgb8(radiance.x), toSrgb8(radiance.y), toSrgb8(radiance.z)});
-        x = start - gap;
+        at = start + widthOf(fact);
     }
 
     const TextLook chip{Font::bold, 12.5, color::dark}, title{Font::bold, 16, color::text};

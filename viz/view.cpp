@@ -31,7 +31,7 @@ bool hides(const SphereDescription& sphere, const vec3& point, const vec3& towar
 {
     const vec3 oc = point - sphere.center;
     const double b = dot(oc, towards), c = dot(oc, oc) - sphere.radius * sphere.radius;
-    if (c < 1e-6 * sphere.radius * sphere.radius) return b < 0;   // the point lies on it: hidden if on its far side
+    if (c < 1e-6 * sphere.radius * sphere.radius) return b < 0; // the point lies on it: hidden if on its far side
     return b < 0 && b * b - c > 0;
 }
 
@@ -53,7 +53,8 @@ public:
                 sampled.push_back(&segment);
         for (const auto* before : sampled)
             for (const auto* after : sampled)
-                if (before != after && isRay(*before) && glm::length(after->from - before->to) < 1e-9 * drawing.size)
+                if (before != after && isRay(before->role) &&
+                    glm::length(after->from - before->to) < 1e-9 * drawing.size)
                     bends.emplace_back(before, after);
     }
 
@@ -95,7 +96,8 @@ public:
         double sum = 0;
         for (const auto& [before, after] : bends)
         {
-            const vec3 a = flattened(before->from - before->to, towards), b = flattened(after->to - after->from, towards);
+            const vec3 a = flattened(before->from - before->to, towards),
+                       b = flattened(after->to - after->from, towards);
             const double angle = std::acos(std::clamp(dot(unit(a), unit(b)), -1.0, 1.0));
             sum += std::min(1.0, angle / (35 * pi / 180));
         }
@@ -129,12 +131,6 @@ private:
 
     static vec3 flattened(const vec3& d, const vec3& towards) { return d - dot(d, towards) * towards; }
 
-    static bool isRay(const Segment& segment)
-    {
-        return segment.role == RayRole::camera || segment.role == RayRole::reflected ||
-               segment.role == RayRole::transmitted;
-    }
-
     static double importance(const Segment& segment)
     {
         return segment.role == RayRole::reaches || segment.role == RayRole::blocked ? 0.4 : 1;
@@ -143,7 +139,8 @@ private:
 
 } // namespace
 
-View fitView(const std::vector<vec3>& points, const vec3& towards, const vec3& up, double aspect, const Margins& margins)
+View fitView(const std::vector<vec3>& points, const vec3& towards, const vec3& up, double aspect,
+             const Margins& margins)
 {
     View view;
     const auto [right, above, back] = basisOf(towards, up);
@@ -267,9 +264,7 @@ int pickSegment(const RayDrawing& drawing, const Projector& projector, const vec
         const auto& segment = drawing.segments[i];
         const auto line = projector.segment(segment.from, segment.to);
         if (!line) continue;
-        const bool main = segment.role == RayRole::camera || segment.role == RayRole::reflected ||
-                          segment.role == RayRole::transmitted;
-        const double distance = distanceTo(*line, at) + (main ? 0 : 0.25 * tolerance);
+        const double distance = distanceTo(*line, at) + (isRay(segment.role) ? 0 : 0.25 * tolerance);
         if (distance < nearest)
         {
             nearest = distance;

@@ -13,7 +13,7 @@ namespace rt::viz
 struct View
 {
     vec3 position{0, 0, 1}, focal{0, 0, 0}, up{0, 1, 0};
-    double angle = 30;   ///< vertical, degrees
+    double angle = 30; ///< vertical, degrees
 };
 
 /// Parts of the pane's width and height that stay free around what is fitted.

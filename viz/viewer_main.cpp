@@ -24,7 +24,7 @@ constexpr int startLesson = 0;
 
 struct ViewerOptions : TraceOptions
 {
-    std::string lesson;   ///< its number; empty: the smallest that is sufficient
+    std::string lesson; ///< its number; empty: the smallest that is sufficient
     std::string screenshot;
     std::string windowSize = "1600x900";
     bool force = false;
@@ -48,7 +48,8 @@ std::array<int, 2> windowSize(const std::string& text)
     if (error == std::errc() && middle != end && *middle == 'x')
         if (const auto rest = std::from_chars(middle + 1, end, size[1]); rest.ec == std::errc() && rest.ptr == end)
             if (size[0] >= 640 && size[1] >= 400 && size[0] <= 8192 && size[1] <= 8192) return size;
-    throw CLI::ValidationError("--size-window", fmt::format("expected WxH from 640x400 to 8192x8192, got \"{}\"", text));
+    throw CLI::ValidationError("--size-window",
+                               fmt::format("expected WxH from 640x400 to 8192x8192, got \"{}\"", text));
 }
 
 Session chooseSession(ViewerOptions options)
@@ -88,8 +89,9 @@ int view(const ViewerOptions& options, char** argv)
     Session session = chooseSession(options);
     if (!display)
     {
-        std::cerr << (toFile ? "viewer: a screenshot needs a display or the program xvfb-run (Debian's package is xvfb)\n"
-                             : "viewer: there is no display to open a window on; --screenshot FILE.png needs none\n");
+        std::cerr << (toFile
+                          ? "viewer: a screenshot needs a display or the program xvfb-run (Debian's package is xvfb)\n"
+                          : "viewer: there is no display to open a window on; --screenshot FILE.png needs none\n");
         return exitNoDisplay;
     }
     checkFonts();

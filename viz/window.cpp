@@ -1,7 +1,6 @@
 #include "viz/window.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iostream>
 
 #include <fmt/format.h>
@@ -11,24 +10,13 @@
 namespace rt::viz
 {
 
-namespace
-{
-
-double linear(unsigned char srgb)
-{
-    const double x = srgb / 255.0;
-    return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
-}
-
-} // namespace
-
 Window::Window(Controller& shown, int windowWidth, int windowHeight, bool onScreen)
     : controller(shown), title(shown), image(shown), numbers(shown), scene(shown), strip(shown), width(windowWidth),
       height(windowHeight)
 {
     window->SetWindowName("raytree");
     window->SetSize(width, height);
-    window->SetMultiSamples(0);   // with depth peeling more than 0 loses what is translucent
+    window->SetMultiSamples(0); // with depth peeling more than 0 loses what is translucent
     window->SetDPI(72);
     window->SetAlphaBitPlanes(true);
     window->SetNumberOfLayers(2);
@@ -97,7 +85,8 @@ Image Window::picture()
     Image shot(size[0], size[1]);
     const unsigned char* in = pixels->GetPointer(0);
     for (int y = shot.height - 1; y >= 0; --y)
-        for (int x = 0; x < shot.width; ++x, in += 3) shot.at(x, y) = {linear(in[0]), linear(in[1]), linear(in[2])};
+        for (int x = 0; x < shot.width; ++x, in += 3)
+            shot.at(x, y) = {fromSrgb8(in[0]), fromSrgb8(in[1]), fromSrgb8(in[2])};
     return shot;
 }
 
@@ -111,17 +100,14 @@ Pane* Window::paneAt(int x, int y)
 void Window::drawOnly(const std::vector<Pane*>& some)
 {
     for (auto* pane : panes)
-        for (auto* part : pane->renderers())
-            part->SetDraw(std::find(some.begin(), some.end(), pane) != some.end());
+        for (auto* part : pane->renderers()) part->SetDraw(std::find(some.begin(), some.end(), pane) != some.end());
 }
 
 void Window::redraw(const std::vector<Pane*>& some)
 {
-    auto t0=std::chrono::steady_clock::now();
     drawOnly(some);
     window->Render();
     drawOnly(panes);
-    std::cerr<<some.size()<<" panes "<<std::chrono::duration<double,std::milli>(std::chrono::steady_clock::now()-t0).count()<<" ms\n";
 }
 
 void Window::update(unsigned changes)

@@ -58,9 +58,9 @@ struct Tracer
     // Is the way from I along L free until the lamp, and no further?
     bool isVisible(const Point& I, const vec3& L, Real dist, const Light& light)
     {
-        bool visible = false;
+        // EXERCISE: bool visible = false;
         // SOLUTION 01-visible
-        visible = !scene.occluded(I, L, dist);
+        const bool visible = !scene.occluded(I, L, dist);
         // END
         rec.shadow(light, I, L, dist, visible);
         return visible;

@@ -72,8 +72,7 @@ struct Tracer
     // Is the way from I along L free until the lamp, and no further?
     bool isVisible(const Point& I, const vec3& L, Real dist, const Light& light)
     {
-        bool visible = false;
-        visible = !scene.occluded(I, L, dist);
+        const bool visible = !scene.occluded(I, L, dist);
         rec.shadow(light, I, L, dist, visible);
         return visible;
     }

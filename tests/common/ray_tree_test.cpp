@@ -6,6 +6,7 @@
 
 #include "common/explain.h"
 #include "common/scene_file.h"
+#include "lessons/formulas.h"
 #include "lessons/registry.h"
 #include "tests/common/random_scene.h"
 
@@ -30,7 +31,7 @@ protected:
     void forTrees(Visit&& visit)
     {
         const auto [lesson, precision] = GetParam();
-        for (unsigned seed = 0; seed < 40; ++seed)
+        for (unsigned seed = 0; seed < 16; ++seed)
         {
             const SceneDescription scene = randomScene(seed, lesson->models);
             ASSERT_TRUE(missing(required(scene), lesson->models).empty());
@@ -52,7 +53,7 @@ TEST_P(OnRandomScenes, TheRootsRadianceIsThePixelBitForBit)
         EXPECT_EQ(channels(tree.nodes.at(0).radiance), channels(pixel));
         lit += pixel != Vec3<double>(0);
     });
-    EXPECT_GT(lit, 100) << "the scenes are too dark to tell anything";
+    EXPECT_GT(lit, 50) << "the scenes are too dark to tell anything";
 }
 
 TEST_P(OnRandomScenes, EvaluatingTheTreeGivesTheSameBits)
@@ -90,11 +91,12 @@ TEST_P(OnRandomScenes, JsonReadsBackToTheSameTree)
 
 TEST_P(OnRandomScenes, LinksAreInPreorder)
 {
-    forTrees([&](const SceneDescription&, const RayTree& tree, const Vec3<double>&) {
+    forTrees([&](const SceneDescription& scene, const RayTree& tree, const Vec3<double>&) {
+        const int further = scene.trace.atCap == AtCap::direct; // that policy looks one ray further
         for (const auto& node : tree.nodes)
         {
             EXPECT_FALSE(node.orphan);
-            EXPECT_LE(node.depth, tree.maxDepth);
+            EXPECT_LE(node.depth, tree.maxDepth + further);
             if (node.id == 0)
                 EXPECT_EQ(node.parent, -1);
             else
@@ -264,7 +266,7 @@ color = [8, 8, 8]
 )",
                                   "floor.toml");
     const auto tree = lessons()[0]->inspect(scene, Precision::doubled, GivenRay{{0, 1, 0}, {0, -1, 0}});
-    const auto formulas = explainNode(tree, scene, 0);
+    const auto formulas = explainNode(tree, scene, lectureFormulas(), 0);
     ASSERT_EQ(formulas.size(), 4U);
     EXPECT_EQ(formulas[0].numbers, "(0, 1, 0) + 1 (0, -1, 0) = (0, 0, 0)\non plane0, material floor");
     EXPECT_EQ(formulas[1].symbolic, "lightColor * max(0, N.L) / dist²");

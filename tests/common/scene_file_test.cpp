@@ -17,6 +17,7 @@
 
 #include "common/nearest_word.h"
 #include "common/scene_file.h"
+#include "common/scene_reader.h"
 
 namespace
 {
@@ -24,7 +25,7 @@ namespace
 using namespace rt;
 namespace fs = std::filesystem;
 
-/// Every section and every key once.
+/// Every section and every key once, but for those that exclude others or name files.
 const std::string everything = R"(title = "One 50% specular, one glass sphere"
 
 [camera]
@@ -44,6 +45,7 @@ shadow_through_glass = "tint"
 
 [sky]
 color = [0.2, 0.3, 5]
+sun = { direction = [3, 4, 0], color = [100, 90.5, 80], size = 0.53 }
 
 [[sphere]]
 center = [0.0, 1.0, 0.0]
@@ -149,6 +151,11 @@ TEST(SceneFile, ReadsEveryKey)
 
     EXPECT_TRUE(scene.sky.present);
     EXPECT_EQ(scene.sky.color, Vec3<double>(0.2, 0.3, 5));
+    EXPECT_FALSE(scene.sky.zenith || scene.sky.image);
+    ASSERT_TRUE(scene.sky.sun);
+    EXPECT_EQ(scene.sky.sun->direction, Vec3<double>(3, 4, 0));
+    EXPECT_EQ(scene.sky.sun->color, Vec3<double>(100, 90.5, 80));
+    EXPECT_EQ(scene.sky.sun->size, 0.53);
 
     ASSERT_EQ(scene.spheres.size(), 2u);
     EXPECT_EQ(scene.spheres[0].center, Vec3<double>(0, 1, 0));
@@ -210,6 +217,29 @@ TEST(SceneFile, AnEmptySkyIsBlackButPresent)
     const auto scene = parseScene("[sky]", "scene.toml");
     EXPECT_TRUE(scene.sky.present);
     EXPECT_EQ(scene.sky.color, Vec3<double>(0));
+    EXPECT_FALSE(scene.sky.zenith || scene.sky.sun || scene.sky.image);
+}
+
+TEST(SceneFile, ReadsAGradient)
+{
+    const auto sky = parseScene("[sky]\nhorizon = [0.5, 0.25, 2]\nzenith = [0, 1, 3]", "scene.toml").sky;
+    EXPECT_EQ(sky.color, Vec3<double>(0.5, 0.25, 2));
+    ASSERT_TRUE(sky.zenith);
+    EXPECT_EQ(*sky.zenith, Vec3<double>(0, 1, 3));
+    EXPECT_FALSE(sky.sun || sky.image);
+}
+
+TEST(SceneFile, ReadsASunBesideAGradientOrAlone)
+{
+    const std::string sun = "sun = { direction = [0, 0, -2], color = [9, 8, 7] }";
+    for (const std::string beside : {"", "color = [1, 1, 1]\n", "horizon = [0, 0, 0]\nzenith = [0, 0, 0]\n"})
+    {
+        const auto sky = parseScene("[sky]\n" + beside + sun, "scene.toml").sky;
+        ASSERT_TRUE(sky.sun) << beside;
+        EXPECT_EQ(sky.sun->color, Vec3<double>(9, 8, 7));
+        EXPECT_EQ(sky.sun->size, 5) << "the default";
+    }
+    EXPECT_TRUE(parseScene("[sky.sun]\ndirection = [0, 1, 0]\ncolor = [1, 1, 1]", "scene.toml").sky.sun);
 }
 
 TEST(SceneFile, ACheckerIsOneUnitWideUnlessItSaysOtherwise)
@@ -234,6 +264,8 @@ TEST(SceneFile, TakesEveryWordOfEveryChoice)
         EXPECT_EQ(std::size_t(trace.fresnel), i);
         EXPECT_EQ(std::size_t(trace.shadowThroughGlass), i % 2);
     }
+    EXPECT_EQ(skyMappingWords[std::size_t(SkyMapping::latlong)], "latlong");
+    EXPECT_EQ(skyMappingWords[std::size_t(SkyMapping::angular)], "angular");
     EXPECT_EQ(parseScene("trace.at_cap = 'sky'", "scene.toml").trace.atCap, AtCap::sky);
     EXPECT_EQ(parseScene("trace.fresnel = 'none'", "scene.toml").trace.fresnel, FresnelModel::none);
 }
@@ -246,6 +278,10 @@ TEST(SceneFile, AcceptsTheEndsOfEveryRange)
     EXPECT_EQ(errorOf("[trace]\nmax_depth = 1024\ncutoff = 1e300"), "no error");
     EXPECT_EQ(errorOf("[materials.m]\ncolor = [0, 1, 0]\nmirror = 1\nglossy = 1\nexponent = 0"), "no error");
     EXPECT_EQ(errorOf("[[light]]\nposition = [0, 0, 0]\ncolor = [0, 0, 1e300]"), "no error");
+    EXPECT_EQ(errorOf("[sky]\nhorizon = [0, 0, 0]\nzenith = [0, 0, 1e300]\n"
+                      "sun = { direction = [0, 0, 1e-300], color = [0, 0, 1e300], size = 180 }"),
+              "no error");
+    EXPECT_EQ(errorOf("sky.sun = { direction = [1, 0, 0], color = [0, 0, 0], size = 5e-324 }"), "no error");
 }
 
 TEST(SceneFile, WindowsLineEndsAndAByteOrderMarkChangeNothing)
@@ -395,7 +431,10 @@ INSTANTIATE_TEST_SUITE_P(
         bad("Foreign", "[camera]\nzzzzz = 1", 2, 1,
             {"unknown key 'zzzzz' in [camera], expected 'eye', 'target', 'up', 'vertical_fov', 'size' or 'pixel'"}),
         bad("InTrace", "[trace]\nmaxdepth = 1", 2, 1, {"did you mean 'max_depth'?"}),
-        bad("InSky", "[sky]\ngradient = 1", 2, 1, {"unknown key 'gradient' in [sky], expected 'color'"}),
+        bad("InSky", "[sky]\ngradient = 1", 2, 1,
+            {"unknown key 'gradient' in [sky], expected 'color', 'horizon', 'zenith', 'image', 'mapping' or 'sun'"}),
+        bad("InTheSun", "[sky]\nsun = { sizes = 1 }", 2, 9, {"'sizes' in the sun of [sky], did you mean 'size'?"}),
+        bad("InMesh", "[[mesh]]\nfiles = 1", 2, 1, {"unknown key 'files' in [[mesh]], did you mean 'file'?"}),
         bad("InSphere", "[[sphere]]\nradus = 1", 2, 1, {"unknown key 'radus' in [[sphere]], did you mean 'radius'?"}),
         bad("InPlane", "[[plane]]\ncheckers = 1", 2, 1, {"did you mean 'checker'?"}),
         bad("InChecker", plainPlane + "checker = { colr = 1 }", 6, 13, {"in the checker of a [[plane]]", "'color'"}),
@@ -439,6 +478,16 @@ INSTANTIATE_TEST_SUITE_P(
         bad("ANumberForAMaterialsName", bareSphere + "material = 3", 4, 12,
             {"'material' in [[sphere]]: expected a string"}),
         bad("ANumberForAChecker", plainPlane + "checker = 1", 6, 11, {"'checker' in [[plane]]: expected a table"}),
+        bad("AStringForAZenith", "[sky]\nzenith = 'blue'", 2, 10,
+            {"expected an array of 3 numbers, each of", "a string"}),
+        bad("ANumberForAPicture", "[sky]\nimage = 1", 2, 9, {"'image' in [sky]: expected a string, got 1"}),
+        bad("ANumberForAMapping", "[sky]\nmapping = 1", 2, 11, {"'mapping' in [sky]: expected a string, got 1"}),
+        bad("AColorForASun", "[sky]\nsun = [1, 1, 1]", 2, 7,
+            {"'sun' in [sky]: expected a table, { direction = [x, y, z], color = [r, g, b], size = 5.0 }, got an "
+             "array"}),
+        bad("AStringForASunsSize", "sky.sun = { size = '1' }", 1, 20, {"at most 180, got a string"}),
+        bad("ANumberForAMeshFile", "[[mesh]]\nfile = 1", 2, 8, {"'file' in [[mesh]]: expected a string, got 1"}),
+        bad("ATableForMeshes", "[mesh]", 1, 1, {"expected tables, each headed [[mesh]], got a table"}),
         bad("TwoVertices", "[[triangle]]\nvertices = [[0, 0, 0], [0, 0, 1]]", 2, 12,
             {"expected an array of 3 points, each an array of 3 numbers, got an array of 2"}),
         bad("AFlatVertex", "[[triangle]]\nvertices = [[0, 0, 0], [0, 1], [0, 0, 1]]", 2, 24,
@@ -471,6 +520,19 @@ INSTANTIATE_TEST_SUITE_P(
         bad("ANegativeMaterialColor", "[materials.m]\ncolor = [-0.5, 0, 1]", 2, 10, {"got -0.5 as the first"}),
         bad("ANegativeLight", "[[light]]\ncolor = [-1, 0, 0]", 2, 10, {"each of at least 0, got -1 as the first"}),
         bad("ANegativeSky", "[sky]\ncolor = [0, -1, 0]", 2, 13, {"each of at least 0, got -1 as the second"}),
+        bad("ANegativeHorizon", "[sky]\nhorizon = [0, 0, -2]", 2, 18, {"each of at least 0, got -2 as the third"}),
+        bad("ANegativeZenith", "[sky]\nzenith = [-0.5, 0, 0]", 2, 11, {"each of at least 0, got -0.5 as the first"}),
+        bad("AnInfiniteZenith", "[sky]\nzenith = [inf, 0, 0]", 2, 11, {"each of at least 0, got inf as the first"}),
+        bad("ANegativeSun", "sky.sun = { color = [0, 0, -1] }", 1, 28,
+            {"'color' in the sun of [sky]: expected an array of 3 numbers, each of at least 0, got -1 as the third"}),
+        bad("AnInfiniteSunDirection", "sky.sun = { direction = [0, inf, 0] }", 1, 29, {"got inf as the second"}),
+        bad("ASunWithoutSize", "sky.sun = { size = 0 }", 1, 20,
+            {"'size' in the sun of [sky]: expected a number greater than 0 and at most 180, got 0"}),
+        bad("ASunOfNegativeSize", "sky.sun = { size = -5.0 }", 1, 20, {"at most 180, got -5.0"}),
+        bad("ASunBeyondHalfTheSky", "sky.sun = { size = 180.001 }", 1, 20, {"at most 180, got 180.001"}),
+        bad("ASunWhoseSizeIsNotANumber", "sky.sun = { size = nan }", 1, 20, {"at most 180, got nan"}),
+        bad("AnUnknownMapping", "[sky]\nmapping = 'anguler'", 2, 11,
+            {"'mapping' in [sky]: expected 'latlong' or 'angular', got 'anguler', did you mean 'angular'?"}),
         bad("AMirrorAboveOne", "[materials.m]\nmirror = 1.1", 2, 10, {"from 0 to 1, got 1.1"}),
         bad("AMirrorBelowZero", "[materials.m]\nmirror = -0.1", 2, 10, {"from 0 to 1, got -0.1"}),
         bad("AGlossyAboveOne", "[materials.m]\nglossy = 2", 2, 10, {"from 0 to 1, got 2"}),
@@ -501,6 +563,11 @@ INSTANTIATE_TEST_SUITE_P(
         bad("VerticesOfATriangle", "[[triangle]]\nmaterial = 'm'", 1, 1, {"missing key 'vertices'"}),
         bad("MaterialOfATriangle", "[[triangle]]\nvertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]", 1, 1,
             {"missing key 'material' in [[triangle]], expected 'vertices' and 'material'"}),
+        bad("FileOfAMesh", "[[mesh]]\nmaterial = 'm'", 1, 1, {"missing key 'file' in [[mesh]], expected 'file' and"}),
+        bad("MaterialOfAMesh", "[[mesh]]\nfile = 'm.obj'", 1, 1, {"missing key 'material' in [[mesh]]"}),
+        bad("DirectionOfASun", "[sky]\nsun = { color = [1, 1, 1] }", 2, 7,
+            {"missing key 'direction' in the sun of [sky], expected 'direction' and 'color'"}),
+        bad("ColorOfASun", "[sky]\nsun = { direction = [1, 1, 1] }", 2, 7, {"missing key 'color' in the sun of"}),
         bad("PositionOfALight", "[[light]]\ncolor = [0, 0, 0]", 1, 1, {"missing key 'position' in [[light]]"}),
         bad("ColorOfALight", "[[light]]\nposition = [0, 0, 0]", 1, 1, {"missing key 'color' in [[light]]"}),
         bad("OfTheSecondOfTwo", "materials.m = {}\n" + bareSphere + "material = 'm'\n[[sphere]]", 6, 1,
@@ -530,7 +597,53 @@ INSTANTIATE_TEST_SUITE_P(
         bad("GlossyGlass", "[materials.m]\nglossy = 0.5\nior = 1.5", 2, 1, {"'glossy' in [materials.m] beside 'ior'"}),
         bad("AnOutsideWithoutAnInside", "[materials.m]\nior_outside = 1.5", 2, 1,
             {"'ior_outside' in [materials.m] without 'ior'"}),
-        bad("AMesh", "[[mesh]]\nfile = 'bunny.obj'", 1, 1, {"[[mesh]] cannot be read yet"})),
+        bad("AMeshWithoutItsFile", "materials.m = {}\n[[mesh]]\nfile = 'no such folder/bunny.obj'\nmaterial = 'm'", 3,
+            8, {"no such folder/bunny.obj: no such file"}),
+        bad("AMeshWithoutAName", "materials.m = {}\n[[mesh]]\nfile = ''\nmaterial = 'm'", 3, 8,
+            {"'file' in [[mesh]]: expected the name of a file, got ''"}),
+        bad("AMeshOfAnUndefinedMaterial", "[[mesh]]\nfile = 'bunny.obj'\nmaterial = 'm'", 3, 12,
+            {"material 'm' is not defined"})),
+    nameOf);
+
+const std::string white = " = [1, 1, 1]\n", sunny = "sun = { direction = [1, 0, 0], color = [1, 1, 1] }\n";
+const std::string oneOfThree = "expected either 'color', or 'horizon' and 'zenith', or 'image'";
+
+INSTANTIATE_TEST_SUITE_P(
+    SkyOfTwoKinds, BadSceneFile,
+    testing::Values(bad("AHorizonAfterAColor", "[sky]\ncolor" + white + "horizon" + white, 3, 1,
+                        {"'horizon' in [sky] beside 'color', " + oneOfThree}),
+                    bad("AColorAfterAHorizon", "[sky]\nhorizon" + white + "color" + white, 3, 1,
+                        {"'color' in [sky] beside 'horizon', " + oneOfThree}),
+                    bad("AZenithAfterAColor", "[sky]\ncolor" + white + "zenith" + white, 3, 1,
+                        {"'zenith' in [sky] beside 'color', "}),
+                    bad("AColorAfterAGradient", "[sky]\nhorizon" + white + "zenith" + white + "color" + white, 4, 1,
+                        {"'color' in [sky] beside 'horizon', " + oneOfThree}),
+                    bad("APictureAfterAColor", "[sky]\ncolor" + white + "image = 'a.hdr'", 3, 1,
+                        {"'image' in [sky] beside 'color', " + oneOfThree}),
+                    bad("AColorAfterAPicture", "[sky]\nimage = 'a.hdr'\n  color" + white, 3, 3,
+                        {"'color' in [sky] beside 'image', " + oneOfThree}),
+                    bad("APictureAfterAGradient", "[sky]\nhorizon" + white + "zenith" + white + "image = 'a.hdr'", 4, 1,
+                        {"'image' in [sky] beside 'horizon', " + oneOfThree}),
+                    bad("AZenithAfterAPicture", "[sky]\nimage = 'a.hdr'\nzenith" + white, 3, 1,
+                        {"'zenith' in [sky] beside 'image'"}),
+                    bad("ASunAfterAPicture", "[sky]\nimage = 'a.hdr'\n" + sunny, 3, 1,
+                        {"'sun' in [sky] beside 'image', expected no 'sun', since a picture shows its own"}),
+                    bad("APictureAfterASun", "[sky]\n" + sunny + "image = 'a.hdr'", 3, 1,
+                        {"'image' in [sky] beside 'sun', expected no"}),
+                    bad("AHorizonAlone", "[sky]\nhorizon" + white, 2, 1,
+                        {"'horizon' in [sky] without 'zenith', expected 'zenith' as well"}),
+                    bad("AZenithAlone", "[sky]\n" + sunny + "zenith" + white, 3, 1,
+                        {"'zenith' in [sky] without 'horizon', expected 'horizon' as well"}),
+                    bad("AMappingAlone", "[sky]\nmapping = 'angular'", 2, 1,
+                        {"'mapping' in [sky] without 'image', expected 'image' as well"}),
+                    bad("AMappingOfAColor", "[sky]\ncolor" + white + "mapping = 'latlong'", 3, 1,
+                        {"'mapping' in [sky] without"}),
+                    bad("ASunNowhere", "[sky]\nsun = { direction = [0, 0.0, -0.0], color = [1, 1, 1] }", 2, 21,
+                        {"'direction' in the sun of [sky]: expected a direction, got the zero vector"}),
+                    bad("APictureWithoutItsFile", "[sky]\nimage = 'no such folder/a.hdr'", 2, 9,
+                        {"no such folder/a.hdr: no such file"}),
+                    bad("APictureWithoutAName", "[sky]\nimage = ''", 2, 9,
+                        {"'image' in [sky]: expected the name of a file, got ''"})),
     nameOf);
 
 TEST(NearestWord, CountsASwapAsOneChange)
@@ -635,6 +748,81 @@ TEST(SceneFileOnDisk, IsNotReadBeyondTheLimit)
     EXPECT_LE(written, largestSceneFile + (1 << 20)); // what waits in the pipe counts as written
 }
 
+// ---- pictures of the sky -------------------------------------------------------------------------------------------
+
+Image smallPicture()
+{
+    Image image(4, 2);
+    for (std::size_t i = 0; i < 8; ++i) image.pixels[i] = {double(i), 100.0 - double(i), 0.25};
+    return image;
+}
+
+TEST(SkyPicture, IsReadFromTheScenesFolderLinearAndUnclamped)
+{
+    const TemporaryFolder folder;
+    fs::create_directories(folder.path / "skies");
+    for (const char* name : {"sky.exr", "skies/sky.hdr"})
+    {
+        writeImage(smallPicture(), (folder.path / name).string());
+        const auto path = folder.file("scene.toml", fmt::format("[sky]\nimage = '{}'", name));
+        const auto sky = loadScene(path).sky;
+        EXPECT_TRUE(sky.present);
+        EXPECT_EQ(sky.imageFile, name);
+        EXPECT_EQ(sky.mapping, SkyMapping::latlong) << "the default";
+        ASSERT_TRUE(sky.image);
+        EXPECT_TRUE(compare(*sky.image, smallPicture(), 0.5, 0).equal()) << name; // .hdr shares an exponent
+    }
+    EXPECT_EQ(loadScene(folder.file("exr.toml", "[sky]\nimage = 'sky.exr'")).sky.image->pixels, smallPicture().pixels);
+
+    writeImage(Image(1, 1), (folder.path / "black.png").string());
+    const auto sky = loadScene(folder.file("scene.toml", "[sky]\nimage = 'black.png'\nmapping = 'angular'")).sky;
+    EXPECT_EQ(sky.mapping, SkyMapping::angular);
+    EXPECT_EQ(sky.image->pixels, Image(1, 1).pixels);
+
+    const auto elsewhere = (folder.path / "sky.exr").string();
+    EXPECT_TRUE(parseScene(fmt::format("[sky]\nimage = '{}'", elsewhere), "no such folder/scene.toml").sky.image)
+        << "an absolute name stays";
+}
+
+TEST(SkyPicture, ThatCannotBeUsedIsRefusedAtItsKey)
+{
+    const TemporaryFolder folder;
+    const auto in = [&](const std::string& name) { return (folder.path / name).string(); };
+    const auto errorFor = [&](const std::string& name) {
+        const auto scene = folder.file("scene.toml", fmt::format("title = ''\n[sky]\nimage = '{}'\n", name));
+        const auto message = loadErrorOf(scene), place = scene + ":3:9: " + in(name) + ": ";
+        EXPECT_EQ(message.substr(0, place.size()), place) << message;
+        EXPECT_EQ(message.find('\n'), message.npos) << message;
+        return message.substr(std::min(message.size(), place.size()));
+    };
+    writeImage(smallPicture(), in("probe.exr"));
+    folder.file("prob.txt", "");
+    EXPECT_EQ(errorFor("prob.exr"), "no such file, did you mean 'probe.exr'?");
+    EXPECT_EQ(errorFor("unlike"), "no such file");
+    EXPECT_EQ(errorFor("."), "this is a folder, expected a picture (.hdr, .exr, .png)");
+    ASSERT_EQ(mkfifo(in("pipe.hdr").c_str(), 0600), 0);
+    EXPECT_EQ(errorFor("pipe.hdr"), "not a regular file, expected a picture (.hdr, .exr, .png)");
+    fs::resize_file(folder.file("large.hdr", ""), largestSceneFile + 1);
+    EXPECT_EQ(errorFor("large.hdr"), "too large, expected at most 256 MiB");
+    folder.file("text.png", "hello\n");
+    EXPECT_NE(errorFor("text.png").find("cannot be read as a picture"), std::string::npos);
+    folder.file("empty.exr", "");
+    EXPECT_NE(errorFor("empty.exr").find("cannot be read as a picture"), std::string::npos);
+    fs::resize_file(in("probe.exr"), fs::file_size(in("probe.exr")) - 40);
+    EXPECT_NE(errorFor("probe.exr").find("cannot be read"), std::string::npos);
+
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const double wrong : {nan, infinity<double>, -infinity<double>, -0.5})
+        for (int channel = 0; channel < 3; ++channel)
+        {
+            auto image = smallPicture();
+            image.at(3, 1)[channel] = wrong;
+            image.at(2, 1)[channel] = -0.0; // as good as 0
+            writeImage(image, in("wrong.exr"));
+            EXPECT_EQ(errorFor("wrong.exr"), "pixel (3, 1) is not a finite number of at least 0") << wrong;
+        }
+}
+
 // ---- the reference -------------------------------------------------------------------------------------------------
 
 std::string reference()
@@ -660,9 +848,10 @@ TEST(SceneReference, NamesEveryKey)
     int keys = 0;
     for (const std::string& text :
          {std::string("[camera]\nzzzz = 1"), std::string("[trace]\nzzzz = 1"), std::string("[sky]\nzzzz = 1"),
-          std::string("[materials.m]\nzzzz = 1"), std::string("[[sphere]]\nzzzz = 1"),
-          std::string("[[plane]]\nzzzz = 1"), plainPlane + "checker = { zzzz = 1 }",
-          std::string("[[triangle]]\nzzzz = 1"), std::string("[[light]]\nzzzz = 1")})
+          std::string("[sky]\nsun = { zzzz = 1 }"), std::string("[materials.m]\nzzzz = 1"),
+          std::string("[[mesh]]\nzzzz = 1"), std::string("[[sphere]]\nzzzz = 1"), std::string("[[plane]]\nzzzz = 1"),
+          plainPlane + "checker = { zzzz = 1 }", std::string("[[triangle]]\nzzzz = 1"),
+          std::string("[[light]]\nzzzz = 1")})
     {
         // "unknown key 'zzzz' in ..., expected 'eye', 'target' or 'up'": the known keys stand between quotes.
         const auto message = errorOf(text);
@@ -677,7 +866,7 @@ TEST(SceneReference, NamesEveryKey)
             ++keys;
         }
     }
-    EXPECT_EQ(keys, 6 + 5 + 1 + 6 + 3 + 4 + 2 + 2 + 2);
+    EXPECT_EQ(keys, 6 + 5 + 6 + 3 + 6 + 2 + 3 + 4 + 2 + 2 + 2);
 }
 
 // ---- round trip ----------------------------------------------------------------------------------------------------
@@ -710,6 +899,15 @@ void requireSame(const SceneDescription& a, const SceneDescription& b)
     RC_ASSERT(a.trace.atCap == b.trace.atCap && a.trace.fresnel == b.trace.fresnel);
     RC_ASSERT(a.trace.shadowThroughGlass == b.trace.shadowThroughGlass);
     RC_ASSERT(a.sky.present == b.sky.present && same(a.sky.color, b.sky.color));
+    RC_ASSERT(a.sky.zenith.has_value() == b.sky.zenith.has_value());
+    if (a.sky.zenith) RC_ASSERT(same(*a.sky.zenith, *b.sky.zenith));
+    RC_ASSERT(a.sky.sun.has_value() == b.sky.sun.has_value());
+    if (a.sky.sun)
+        RC_ASSERT(same(a.sky.sun->direction, b.sky.sun->direction) && same(a.sky.sun->color, b.sky.sun->color) &&
+                  same(a.sky.sun->size, b.sky.sun->size));
+    RC_ASSERT(a.sky.imageFile == b.sky.imageFile && a.sky.mapping == b.sky.mapping);
+    RC_ASSERT((a.sky.image != nullptr) == (b.sky.image != nullptr));
+    if (a.sky.image) RC_ASSERT(a.sky.image->width == b.sky.image->width && a.sky.image->pixels == b.sky.image->pixels);
     RC_ASSERT(a.materials.size() == b.materials.size());
     for (std::size_t i = 0; i < a.materials.size(); ++i)
     {
@@ -737,6 +935,12 @@ void requireSame(const SceneDescription& a, const SceneDescription& b)
     {
         for (std::size_t j = 0; j < 3; ++j) RC_ASSERT(same(a.triangles[i].vertices[j], b.triangles[i].vertices[j]));
         RC_ASSERT(a.triangles[i].material == b.triangles[i].material);
+    }
+    RC_ASSERT(a.meshes.size() == b.meshes.size());
+    for (std::size_t i = 0; i < a.meshes.size(); ++i)
+    {
+        const auto &m = a.meshes[i], &n = b.meshes[i];
+        RC_ASSERT(m.file == n.file && m.material == n.material && *m.triangles == *n.triangles);
     }
     RC_ASSERT(a.lights.size() == b.lights.size());
     for (std::size_t i = 0; i < a.lights.size(); ++i)
@@ -817,6 +1021,10 @@ SceneDescription anyScene()
                    ShadowThroughGlass(whole(0, 1))};
     scene.sky.present = whole(0, 1);
     if (scene.sky.present) scene.sky.color = triple(notNegative);
+    if (scene.sky.present && whole(0, 1)) scene.sky.zenith = triple(notNegative);
+    if (scene.sky.present && whole(0, 1))
+        scene.sky.sun =
+            Sun{{anyDouble(), positive(), anyDouble()}, triple(notNegative), std::max(share() * 180, 5e-324)};
 
     const int materials = whole(1, 4);
     for (int i = 0; i < materials; ++i)
@@ -870,6 +1078,29 @@ TEST(SceneToToml, KeepsEverything)
     EXPECT_TRUE(rc::check([&] { requireSame(scene, again); }));
 }
 
+/// A scene with files: a picture of the sky and a mesh, whose names need care.
+std::string withFiles(const TemporaryFolder& folder)
+{
+    fs::create_directories(folder.path / "with \"quotes\"");
+    writeImage(smallPicture(), (folder.path / "with \"quotes\"/s\\y.exr").string());
+    folder.file("m.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0.1\nf 1 2 3 4\n");
+    return "[materials.m]\n[materials.n]\n[sky]\nimage = 'with \"quotes\"/s\\y.exr'\nmapping = 'angular'\n"
+           "[[mesh]]\nfile = 'm.obj'\nmaterial = 'n'\n[[mesh]]\nfile = './m.obj'\nmaterial = 'm'\n";
+}
+
+TEST(SceneToToml, KeepsTheNamesOfFiles)
+{
+    const TemporaryFolder folder;
+    const auto name = (folder.path / "scene.toml").string();
+    const auto scene = parseScene(withFiles(folder), name);
+    ASSERT_TRUE(scene.sky.image);
+    ASSERT_EQ(scene.meshes.size(), 2u);
+    EXPECT_EQ(scene.meshes[0].triangles->size(), 2u);
+    EXPECT_EQ(scene.meshes[0].material, 1);
+    const auto again = parseScene(sceneToToml(scene), name);
+    EXPECT_TRUE(rc::check([&] { requireSame(scene, again); }));
+}
+
 // ---- noise ---------------------------------------------------------------------------------------------------------
 
 std::string mutated(std::string text, std::mt19937& random)
@@ -903,6 +1134,9 @@ std::string mutated(std::string text, std::mt19937& random)
                                       "\xF0\x9F",
                                       "[sky]",
                                       "[[mesh]]",
+                                      "zenith = [0, 0, 1]\n",
+                                      "sun = { direction = [0, 1, 0], color = [1, 1, 1] }\n",
+                                      "m.obj",
                                       "[materials]",
                                       "ior = 1\n",
                                       "a.b.c"};
@@ -935,33 +1169,47 @@ std::string mutated(std::string text, std::mt19937& random)
     return text;
 }
 
-TEST(SceneFile, MeetsNoiseWithASceneOrASceneError)
+/// How many of the mutated texts are scenes; the others give a SceneError.
+int scenesAmongNoise(const std::string& text, const std::string& name, int count)
 {
     std::mt19937 random(20240117);
-    int scenes = 0, errors = 0;
-    for (int i = 0; i < 10000; ++i)
+    int scenes = 0;
+    for (int i = 0; i < count; ++i)
     {
-        const auto text = mutated(everything, random);
+        const auto noise = mutated(text, random);
         try
         {
-            const auto scene = parseScene(text, "scene.toml");
-            parseScene(sceneToToml(scene), "scene.toml"); // what was read can be written
+            const auto scene = parseScene(noise, name);
+            parseScene(sceneToToml(scene), name); // what was read can be written
             ++scenes;
         }
         catch (const SceneError& error)
         {
             const std::string message = error.what();
-            ASSERT_TRUE(message.starts_with("scene.toml:")) << message;
-            ASSERT_EQ(message.find('\n'), message.npos) << message;
-            ++errors;
+            EXPECT_TRUE(message.starts_with(name + ":")) << message;
+            EXPECT_EQ(message.find('\n'), message.npos) << message;
         }
         catch (...)
         {
-            FAIL() << "not a SceneError, for:\n" << text;
+            ADD_FAILURE() << "not a SceneError, for:\n" << noise;
         }
     }
+    return scenes;
+}
+
+TEST(SceneFile, MeetsNoiseWithASceneOrASceneError)
+{
+    const int scenes = scenesAmongNoise(everything, "scene.toml", 10000);
     EXPECT_GT(scenes, 300);
-    EXPECT_GT(errors, 1000);
+    EXPECT_LT(scenes, 9000);
+}
+
+TEST(SceneFileOnDisk, MeetsNoiseWithASceneOrASceneError)
+{
+    const TemporaryFolder folder;
+    const int scenes = scenesAmongNoise(withFiles(folder), (folder.path / "scene.toml").string(), 2000);
+    EXPECT_GT(scenes, 20);
+    EXPECT_LT(scenes, 1800);
 }
 
 } // namespace

@@ -8,19 +8,20 @@ namespace rt::cases
 
 std::vector<Case> directCases();
 std::vector<Case> mirrorCases();
+std::vector<Case> partialCases();
+std::vector<Case> skyCases();
+std::vector<Case> refractionCases();
+std::vector<Case> fresnelCases();
+std::vector<Case> capCases();
+std::vector<Case> phongCases();
 
 /// The cases that a lesson's own idea is about.
 inline std::vector<Case> ownCases(int lesson)
 {
-    switch (lesson)
-    {
-    case 1:
-        return directCases();
-    case 2:
-        return mirrorCases();
-    default:
-        return {};
-    }
+    using Cases = std::vector<Case> (*)();
+    static constexpr Cases all[] = {directCases,     mirrorCases,  partialCases, skyCases,
+                                    refractionCases, fresnelCases, capCases,     phongCases};
+    return lesson >= 1 && lesson <= int(std::size(all)) ? all[lesson - 1]() : std::vector<Case>();
 }
 
 /// What must hold for a lesson: its own cases and those of the lessons before it.

@@ -24,6 +24,10 @@ struct Subject
         toSphere; ///< t, -1: miss
     std::function<double(const V& origin, const V& direction, const V& point, const V& normal)> toPlane;
     std::function<V(const V& D, const V& N)> reflect;
+    std::function<std::array<double, 2>(const V& D)> latLong;
+    std::function<std::optional<V>(const V& D, const V& N, double n1, double n2)> refract;
+    std::function<double(double cos1, double n1, double n2)> cosSquared2, fresnel, schlick;
+    std::function<double(const V& L, const V& N, const V& view, double glossy, double exponent)> phong;
 
     /// `count` units in the last place of 1, in its precision.
     double ulps(double count) const { return count * epsilon; }
@@ -74,6 +78,41 @@ Subject makeSubject()
     if constexpr (requires { &Plain::reflect; })
         subject.reflect = [](const V& D, const V& N) {
             return V(Plain::reflect(unit(Vec3<Real>(D)), unit(Vec3<Real>(N))));
+        };
+    constexpr bool ownSky = requires
+    {
+        &Plain::latLong;
+    };
+    using SkyOf = std::conditional_t<ownSky, Plain, SkyFormulas<Real>>;
+    subject.latLong = [](const V& D) {
+        const auto [u, v] = SkyOf::latLong(unit(Vec3<Real>(D)));
+        return std::array{double(u), double(v)};
+    };
+    if constexpr (requires { &Plain::refract; })
+    {
+        subject.refract = [](const V& D, const V& N, double n1, double n2) -> std::optional<V> {
+            const auto T = Plain::refract(unit(Vec3<Real>(D)), unit(Vec3<Real>(N)), Real(n1), Real(n2));
+            return T ? std::optional<V>(V(*T)) : std::nullopt;
+        };
+        subject.cosSquared2 = [](double cos1, double n1, double n2) {
+            return double(Plain::cosSquared2(Real(cos1), Real(n1), Real(n2)));
+        };
+    }
+    if constexpr (requires { &Plain::fresnel; })
+    {
+        subject.fresnel = [](double cos1, double n1, double n2) {
+            return double(Plain::fresnel(Real(cos1), Real(n1), Real(n2)));
+        };
+        subject.schlick = [](double cos1, double n1, double n2) {
+            return double(Plain::schlick(Real(cos1), Real(n1), Real(n2)));
+        };
+    }
+    if constexpr (requires { &Plain::phong; })
+        subject.phong = [](const V& L, const V& N, const V& view, double glossy, double exponent) {
+            Material<Real> mat;
+            mat.glossy = Real(glossy);
+            mat.exponent = Real(exponent);
+            return double(Plain::phong(unit(Vec3<Real>(L)), unit(Vec3<Real>(N)), unit(Vec3<Real>(view)), mat));
         };
     return subject;
 }
@@ -142,6 +181,17 @@ struct Build
         return *this;
     }
     Build& light(const V& position, double grey) { return light(position, V(grey)); }
+    Build& sky(const V& color)
+    {
+        scene.sky.present = true;
+        scene.sky.color = color;
+        return *this;
+    }
+    Build& fresnel(FresnelModel model)
+    {
+        scene.trace.fresnel = model;
+        return *this;
+    }
     Build& depth(int maxDepth)
     {
         scene.trace.maxDepth = maxDepth;

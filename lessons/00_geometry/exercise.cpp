@@ -1,0 +1,8 @@
+#include "exercise.h"
+#include "lessons/00_geometry/tutorial.h"
+
+int main(int argc, char** argv)
+{
+    using namespace rt;
+    return lesson00::geometryMain(lesson00::functionsOf<exercise00::Geometry>(), "exercise00", false, argc, argv);
+}

@@ -1,0 +1,7 @@
+#include "lessons/00_geometry/tutorial.h"
+
+int main(int argc, char** argv)
+{
+    using namespace rt::lesson00;
+    return geometryMain(functionsOf<Geometry<double>>(), "lesson00", true, argc, argv);
+}

@@ -1,0 +1,7 @@
+#include "lessons/entries.h"
+#include "lessons/lesson_main.h"
+
+int main(int argc, char** argv)
+{
+    return rt::lessonMain(rt::lesson03::entry, argc, argv);
+}

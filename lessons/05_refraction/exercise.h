@@ -1,0 +1,119 @@
+// Exercise 05, refraction. Lecture: "Dielectrics", Snell's law and the transmitted vector.
+// Made from trace.h by make_exercises.py: the TODOs are yours.
+#pragma once
+
+#include "common/exercise.h"
+
+namespace rt::exercise05
+{
+
+using Real = double;
+using Recorder = TreeRecorder<Real>;
+
+struct Tracer
+{
+    using vec3 = Vec3<Real>;
+    using Color = Vec3<Real>;
+    using Ray = rt::Ray<Real>;
+    using Point = rt::Point<Real>;
+    using Light = rt::Light<Real>;
+    using Hit = rt::Hit<Real>;
+
+    const Scene<Real>& scene;
+    Recorder rec = {};
+    const int MAXDEPTH = scene.settings.maxDepth;
+
+    // What does this ray see? Through glass, what the transmitted ray sees.
+    Color trace(const Ray& ray)
+    {
+        if (ray.depth > MAXDEPTH)
+        {
+            rec.capped(ray);
+            return BLACK;
+        }
+        const auto hit = scene.intersect(ray);
+        rec.ray(ray, hit);
+        if (!hit)
+        {
+            const Color sky = scene.sky.color(ray.D);
+            rec.own(sky);
+            return sky;
+        }
+        const auto& [I, N, mat] = *hit;
+
+        if (mat.isDielectric())
+        {
+            const Color through = glass(ray, *hit);
+            rec.color(through);
+            return through;
+        }
+        Color color = BLACK;
+        const Real s = mat.mirror;
+        if (s < 1) color = (1 - s) * (mat.color * directIllumination(I, N));
+        rec.own(color);
+        if (s > 0) color += s * (mat.color * trace(ray.spawn(reflected, I, reflect(ray.D, N), s)));
+
+        rec.color(color);
+        return color;
+    }
+
+    // At the boundary of two media the ray goes on in the other one, bent; if it cannot, all of it is reflected.
+    Color glass(const Ray& ray, const Hit& hit)
+    {
+        const auto& [I, N, mat] = hit;
+        // TODO 05-glass (3 points): The ray goes on in the glass
+        // Slide: Refraction: Dielectrics
+        todo("05-glass");
+    }
+
+    // The transmitted vector after Snell, n1 sin1 = n2 sin2; nothing at total internal reflection. N faces the ray.
+    static std::optional<vec3> refract(const vec3& D, const vec3& N, Real n1, Real n2)
+    {
+        // TODO 05-refract (4 points): The transmitted vector
+        // Slide: Refraction: Dielectrics, T
+        todo("05-refract");
+    }
+
+    // k = cos²2 = 1 - (n1/n2)² (1 - cos²1). Negative: sin2 would exceed 1, there is no such angle.
+    static Real cosSquared2(Real cos1, Real n1, Real n2)
+    {
+        // TODO 05-k (2 points): k, the square of cos2
+        // Slide: Refraction: Dielectrics, k
+        todo("05-k");
+    }
+
+    // Angle of incidence equals angle of reflection: D without its part along N, and that part turned round.
+    static vec3 reflect(const vec3& D, const vec3& N)
+    {
+        const vec3 A = dot(D, N) * N;
+        const vec3 B = D - A;
+        return B - A; // R = D - 2(D.N)N
+    }
+
+    // The light that arrives at I: each lamp that is visible from there, weakened by angle and distance.
+    Color directIllumination(const Point& I, const vec3& N)
+    {
+        Color direct = BLACK;
+        for (const Light& light : scene.lights)
+        {
+            vec3 L = light.position - I;
+            const Real dist = length(L);
+            if (dist * dist == 0) continue; // the lamp sits on the point: there is no direction to it
+            L *= 1 / dist;
+            if (!isVisible(I, L, dist, light)) continue;
+            const Real attenuation = 1 / (dist * dist);
+            direct += light.color * positive(dot(N, L)) * attenuation;
+        }
+        return direct;
+    }
+
+    // Is the way from I along L free until the lamp, and no further?
+    bool isVisible(const Point& I, const vec3& L, Real dist, const Light& light)
+    {
+        const bool visible = !scene.occluded(I, L, dist);
+        rec.shadow(light, I, L, dist, visible);
+        return visible;
+    }
+};
+
+} // namespace rt::exercise05

@@ -1,0 +1,143 @@
+// Exercise 06, Fresnel. Lecture: "Dielectrics", a typical dielectric transmits and reflects light.
+// Made from trace.h by make_exercises.py: the TODOs are yours.
+#pragma once
+
+#include "common/exercise.h"
+
+namespace rt::exercise06
+{
+
+using Real = double;
+using Recorder = TreeRecorder<Real>;
+
+struct Tracer
+{
+    using vec3 = Vec3<Real>;
+    using Color = Vec3<Real>;
+    using Ray = rt::Ray<Real>;
+    using Point = rt::Point<Real>;
+    using Light = rt::Light<Real>;
+    using Hit = rt::Hit<Real>;
+
+    const Scene<Real>& scene;
+    Recorder rec = {};
+    const int MAXDEPTH = scene.settings.maxDepth;
+
+    // What does this ray see? In glass, what two rays see: the ray tree branches.
+    Color trace(const Ray& ray)
+    {
+        if (ray.depth > MAXDEPTH)
+        {
+            rec.capped(ray);
+            return BLACK;
+        }
+        const auto hit = scene.intersect(ray);
+        rec.ray(ray, hit);
+        if (!hit)
+        {
+            const Color sky = scene.sky.color(ray.D);
+            rec.own(sky);
+            return sky;
+        }
+        const auto& [I, N, mat] = *hit;
+
+        if (mat.isDielectric())
+        {
+            const Color through = glass(ray, *hit);
+            rec.color(through);
+            return through;
+        }
+        Color color = BLACK;
+        const Real s = mat.mirror;
+        if (s < 1) color = (1 - s) * (mat.color * directIllumination(I, N));
+        rec.own(color);
+        if (s > 0) color += s * (mat.color * trace(ray.spawn(reflected, I, reflect(ray.D, N), s)));
+
+        rec.color(color);
+        return color;
+    }
+
+    // At the boundary of two media light splits: the share Fr is reflected, the rest Ft = 1 - Fr is transmitted.
+    Color glass(const Ray& ray, const Hit& hit)
+    {
+        const auto& [I, N, mat] = hit;
+        const auto T = refract(ray.D, N, hit.n1, hit.n2);
+        const Real Fr = T ? reflectance(-dot(N, ray.D), hit.n1, hit.n2) : 1;
+        rec.fresnel(Fr);
+        Color color = BLACK;
+        // TODO 06-split (3 points): Both rays, each with its share
+        // Slide: Refraction: Dielectrics, law of conservation of energy
+        todo("06-split");
+        return color;
+    }
+
+    // The scene file names the model; `none` transmits everything, as lesson 05 did.
+    Real reflectance(Real cos1, Real n1, Real n2)
+    {
+        if (scene.settings.fresnel == FresnelModel::none) return 0;
+        return scene.settings.fresnel == FresnelModel::schlick ? schlick(cos1, n1, n2) : fresnel(cos1, n1, n2);
+    }
+
+    // The Fresnel equations for unpolarised light: the mean of the squares for the two polarisations.
+    static Real fresnel(Real cos1, Real n1, Real n2)
+    {
+        // TODO 06-fresnel (4 points): The Fresnel equations
+        // Slide: Refraction: Dielectrics, Fresnel equations
+        todo("06-fresnel");
+    }
+
+    // Schlick's approximation, with the larger of the two angles: the one in the thinner medium.
+    static Real schlick(Real cos1, Real n1, Real n2)
+    {
+        // TODO 06-schlick (3 points): Schlick's approximation
+        // Slide: Refraction: Dielectrics, Schlick's approximation
+        todo("06-schlick");
+    }
+
+    // The transmitted vector after Snell, n1 sin1 = n2 sin2; nothing at total internal reflection. N faces the ray.
+    static std::optional<vec3> refract(const vec3& D, const vec3& N, Real n1, Real n2)
+    {
+        const Real cos1 = -dot(N, D);
+        const Real k = cosSquared2(cos1, n1, n2);
+        if (k < 0) return std::nullopt;
+        return n1 / n2 * D + (n1 / n2 * cos1 - std::sqrt(k)) * N;
+    }
+
+    // k = cos²2 = 1 - (n1/n2)² (1 - cos²1). Negative: sin2 would exceed 1, there is no such angle.
+    static Real cosSquared2(Real cos1, Real n1, Real n2) { return 1 - (n1 / n2) * (n1 / n2) * (1 - cos1 * cos1); }
+
+    // Angle of incidence equals angle of reflection: D without its part along N, and that part turned round.
+    static vec3 reflect(const vec3& D, const vec3& N)
+    {
+        const vec3 A = dot(D, N) * N;
+        const vec3 B = D - A;
+        return B - A; // R = D - 2(D.N)N
+    }
+
+    // The light that arrives at I: each lamp that is visible from there, weakened by angle and distance.
+    Color directIllumination(const Point& I, const vec3& N)
+    {
+        Color direct = BLACK;
+        for (const Light& light : scene.lights)
+        {
+            vec3 L = light.position - I;
+            const Real dist = length(L);
+            if (dist * dist == 0) continue; // the lamp sits on the point: there is no direction to it
+            L *= 1 / dist;
+            if (!isVisible(I, L, dist, light)) continue;
+            const Real attenuation = 1 / (dist * dist);
+            direct += light.color * positive(dot(N, L)) * attenuation;
+        }
+        return direct;
+    }
+
+    // Is the way from I along L free until the lamp, and no further?
+    bool isVisible(const Point& I, const vec3& L, Real dist, const Light& light)
+    {
+        const bool visible = !scene.occluded(I, L, dist);
+        rec.shadow(light, I, L, dist, visible);
+        return visible;
+    }
+};
+
+} // namespace rt::exercise06

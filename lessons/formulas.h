@@ -1,0 +1,12 @@
+// The lecture's functions, for explanations.
+#pragma once
+
+#include "common/explain.h"
+
+namespace rt
+{
+
+/// Those of lessons 06 and 08, in double.
+const LectureFormulas& lectureFormulas();
+
+} // namespace rt

@@ -1,0 +1,206 @@
+#include "viz/controller.h"
+
+#include <gtest/gtest.h>
+
+#include "common/cli.h"
+#include "common/scene_file.h"
+#include "lessons/registry.h"
+#include "viz/node_text.h"
+
+namespace rt::viz
+{
+
+namespace
+{
+
+Session mirrorSession()
+{
+    Session session;
+    session.scene = loadScene(projectFile("lessons/02_mirrors/scenes/pure_specular.toml"));
+    session.scene.camera.width = 64;
+    session.scene.camera.height = 48;
+    session.lesson = findLesson(2);
+    session.probe = std::array{36, 25};
+    return session;
+}
+
+/// A controller, and what it has told its views.
+struct Watched
+{
+    Controller controller{mirrorSession()};
+    std::vector<unsigned> told;
+
+    Watched()
+    {
+        controller.changed = [this](unsigned changes) { told.push_back(changes); };
+    }
+};
+
+TEST(Controller, BeginsWithThePictureAndTheTreeOfItsPixel)
+{
+    const Controller controller(mirrorSession());
+    ASSERT_EQ(controller.picture().width, 64);
+    ASSERT_FALSE(controller.tree().nodes.empty());
+    EXPECT_EQ(controller.tree().nodes[0].radiance, controller.picture().at(36, 25));
+    EXPECT_EQ(controller.selected(), 0);
+    EXPECT_EQ(controller.pixel(), (std::array{36, 25}));
+}
+
+TEST(Controller, TracesTheTreeOfTheChosenPixel)
+{
+    Watched watched;
+    watched.controller.choosePixel(5, 40);
+    EXPECT_EQ(watched.controller.pixel(), (std::array{5, 40}));
+    EXPECT_EQ(watched.controller.tree().nodes.at(0).radiance, watched.controller.picture().at(5, 40));
+    EXPECT_EQ(watched.told, std::vector<unsigned>{changedTree | changedNode});
+}
+
+TEST(Controller, SaysNothingWhenNothingChanges)
+{
+    Watched watched;
+    watched.controller.choosePixel(36, 25);
+    watched.controller.selectNode(0);
+    watched.controller.selectNode(-1);
+    watched.controller.selectNode(1000);
+    watched.controller.parentNode();
+    watched.controller.setMaxDepth(watched.controller.maxDepth());
+    EXPECT_TRUE(watched.told.empty());
+}
+
+TEST(Controller, KeepsThePixelInsideThePicture)
+{
+    Controller controller(mirrorSession());
+    controller.choosePixel(-7, 99);
+    EXPECT_EQ(controller.pixel(), (std::array{0, 47}));
+    controller.movePixel(-1, 1);
+    EXPECT_EQ(controller.pixel(), (std::array{0, 47}));
+    controller.movePixel(3, -2);
+    EXPECT_EQ(controller.pixel(), (std::array{3, 45}));
+}
+
+TEST(Controller, WalksThroughTheNodesAndBackToTheParent)
+{
+    Controller controller(mirrorSession());
+    const int last = int(controller.tree().nodes.size()) - 1;
+    ASSERT_GE(last, 1);
+    for (int i = 0; i < 100; ++i) controller.nextNode();
+    EXPECT_EQ(controller.selected(), last);
+    const int parent = controller.node()->parent;
+    controller.parentNode();
+    EXPECT_EQ(controller.selected(), parent);
+    for (int i = 0; i < 100; ++i) controller.previousNode();
+    EXPECT_EQ(controller.selected(), 0);
+}
+
+TEST(Controller, KeepsTheSelectionWhereTheNewTreeHasTheSameRay)
+{
+    Controller controller(mirrorSession());
+    controller.selectNode(1);
+    controller.movePixel(0, -1);
+    ASSERT_GE(controller.tree().nodes.size(), 2U);
+    EXPECT_EQ(controller.selected(), 1);
+    controller.choosePixel(2, 2); // the wall: a single ray
+    ASSERT_EQ(controller.tree().nodes.size(), 1U);
+    EXPECT_EQ(controller.selected(), 0);
+}
+
+TEST(Controller, ALowerCapMakesAShallowerTreeAndAnotherPicture)
+{
+    Watched watched;
+    ASSERT_GE(watched.controller.deepest(), 1);
+    const Image before = watched.controller.picture();
+    watched.controller.selectNode(1);
+    watched.controller.setMaxDepth(0);
+    EXPECT_EQ(watched.controller.deepest(), 0);
+    EXPECT_EQ(watched.controller.selected(), 0);
+    EXPECT_FALSE(compare(watched.controller.picture(), before, 0, 0).equal());
+    EXPECT_EQ(watched.told.back(), unsigned{changedPicture | changedTree | changedNode});
+    watched.controller.setMaxDepth(-3);
+    EXPECT_EQ(watched.controller.maxDepth(), 0);
+}
+
+TEST(Controller, AGivenRayHasNoPixelUntilOneIsChosen)
+{
+    Session session = mirrorSession();
+    session.probe = GivenRay{{0, 2, 0}, {0, -3, 0}};
+    Controller controller(std::move(session));
+    EXPECT_FALSE(controller.pixel());
+    EXPECT_EQ(controller.tree().nodes.at(0).hit->primitive, "plane0");
+    controller.movePixel(1, 0);
+    EXPECT_TRUE(controller.pixel());
+}
+
+/// As an exercise that throws before it has traced anything.
+RayTree inspectNothing(const SceneDescription&, Precision, const Probe&)
+{
+    return {};
+}
+
+TEST(Controller, LivesWithAnEmptyTree)
+{
+    LessonEntry nothing = *findLesson(2);
+    nothing.inspect = inspectNothing;
+    Session session = mirrorSession();
+    session.lesson = &nothing;
+    Controller controller(std::move(session));
+    EXPECT_EQ(controller.node(), nullptr);
+    EXPECT_EQ(controller.deepest(), 0);
+    controller.nextNode();
+    controller.parentNode();
+    EXPECT_EQ(controller.selected(), 0);
+    EXPECT_EQ(nodeText(controller, 60).size(), 1U);
+}
+
+TEST(NodeText, NamesEachFormulaAndFitsTheColumns)
+{
+    Controller controller(mirrorSession());
+    controller.selectNode(1);
+    for (const std::size_t columns : {30U, 60U, 200U})
+    {
+        std::string all;
+        for (const auto& line : nodeText(controller, columns))
+        {
+            EXPECT_LE(characters(line.text) + characters(line.besides), columns) << line.text;
+            all += line.text + "\n";
+        }
+        EXPECT_NE(all.find("Intersection"), std::string::npos);
+        EXPECT_NE(all.find("Contribution"), std::string::npos);
+    }
+}
+
+TEST(NodeText, HeadingsTellWhereARayComesFrom)
+{
+    RayTree tree;
+    tree.pixel = {1, 2};
+    RayTree::Node node;
+    EXPECT_EQ(nodeHeading(tree, node), "[0] camera ray, depth 0");
+    node.id = 4;
+    node.parent = 2;
+    node.depth = 3;
+    node.kind = RayKind::reflected;
+    EXPECT_EQ(nodeHeading(tree, node), "[4] reflected ray, depth 3, from [2]");
+    node.parent = -1;
+    node.orphan = true;
+    EXPECT_EQ(nodeHeading(tree, node), "[4] reflected ray, depth 3, orphan");
+}
+
+TEST(Wrap, KeepsVectorsTogetherWhereItCan)
+{
+    const auto lines = wrap("(1, 2, 3) + (4, 5, 6) = (7, 8, 9)", 16);
+    ASSERT_EQ(lines.size(), 3U);
+    EXPECT_EQ(lines[0], "(1, 2, 3) +");
+    EXPECT_EQ(lines[1], "   (4, 5, 6) =");
+    EXPECT_EQ(lines[2], "   (7, 8, 9)");
+}
+
+TEST(Wrap, BreaksWhatHasNoSpacesAndCountsCharacters)
+{
+    for (const auto& line : wrap(std::string(100, 'x'), 20)) EXPECT_LE(characters(line), 20U);
+    EXPECT_EQ(wrap("θ₁θ₂θ₃θ₄", 8).size(), 1U);
+    EXPECT_EQ(shorten("θ₁θ₂θ₃θ₄", 4), "θ₁θ…");
+    EXPECT_EQ(shorten("short", 5), "short");
+}
+
+} // namespace
+
+} // namespace rt::viz
