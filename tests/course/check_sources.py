@@ -14,6 +14,11 @@ def sources(folder):
     return sorted(p for ending in ("h", "cpp") for p in (ROOT / folder).rglob(f"*.{ending}"))
 
 
+def source(lesson):
+    """The text that the lesson is about; lesson 00 traces nothing."""
+    return lesson / ("geometry.h" if lesson.name.startswith("00_") else "trace.h")
+
+
 def includes(path):
     return re.findall(r'^#include ["<]([^">]+)[">]', path.read_text(), re.M)
 
@@ -39,8 +44,8 @@ def check_arrows():
                     if include.startswith(library) and not any(where.startswith(p) for p in places + ["tests"] * (library not in ("viz/",))):
                         problems.append(f"{where} includes {include}: only {', '.join(places)} may")
     for lesson in LESSONS:
-        if includes(lesson / "trace.h") != ["common/lesson.h"]:
-            problems.append(f"{lesson.name}/trace.h may include common/lesson.h and nothing else")
+        if includes(source(lesson)) != ["common/lesson.h"]:
+            problems.append(f"{lesson.name}/{source(lesson).name} may include common/lesson.h and nothing else")
 
 
 def plain(lesson):
@@ -77,7 +82,7 @@ def check_small_steps():
 
 
 def check_no_epsilon():
-    for path in sources("common") + [lesson / "trace.h" for lesson in LESSONS if "10_" not in lesson.name]:
+    for path in sources("common") + [source(lesson) for lesson in LESSONS if "10_" not in lesson.name]:
         for number, line in enumerate(path.read_text().splitlines(), 1):
             code = line.split("//")[0]
             if re.search(r"\b(1(\.0*)?e-\d+|0\.0{2,}\d+)[fFL]?\b", code):
@@ -86,10 +91,11 @@ def check_no_epsilon():
 
 def check_lessons_are_complete():
     for lesson in LESSONS:
-        for name in ("README.md", "trace.h", "main.cpp", "scenes"):
+        scenes = source(lesson).name == "trace.h"
+        for name in ("README.md", source(lesson).name, "main.cpp") + ("scenes",) * scenes:
             if not (lesson / name).exists():
                 problems.append(f"{lesson.name}/{name} is missing")
-        if len(list(lesson.glob("scenes/*.toml"))) < 2:
+        if scenes and len(list(lesson.glob("scenes/*.toml"))) < 2:
             problems.append(f"{lesson.name} has fewer than two scenes")
 
 

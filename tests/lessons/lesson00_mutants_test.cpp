@@ -242,6 +242,10 @@ std::vector<GeometryMutant> spaceMutants()
                [](V3 D, double angle) {
                    return V3(G::unitNormal({V3(0), D}, angle * std::acos(-1.0) / 180));
                }),
+        circle("only two normals, n and -n",
+               [](V3 D, double angle) {
+                   return (std::cos(angle) < 0 ? -1.0 : 1.0) * unit(G::normals({V3(0), D}).first);
+               }),
         circle("always the same normal",
                [](V3 D, double) {
                    return V3(G::unitNormal({V3(0), D}, 0));

@@ -118,15 +118,21 @@ TEST(Rays, AHitFarAwayIsNotDrawnToItsEnd)
 
 TEST(Rays, NormalsStandOnTheSideThatTheRayCameFrom)
 {
-    const auto drawn = draw(facing, std::array{326, 213});
-    for (const auto& normal : drawn.of(RayRole::normal))
+    auto drawn = draw(facing, std::array{326, 213});
+    ASSERT_GE(drawn.tree.nodes.size(), 2U);
+    // As if the second surface were met from its inner side: its outward normal is the other one.
+    auto& hit = *drawn.tree.nodes[1].hit;
+    hit.inside = !hit.inside;
+    hit.normal = -hit.normal;
+    const Drawn turned(drawn.scene, drawn.tree);
+    EXPECT_EQ(turned.of(RayRole::normal).size(), drawn.tree.nodes.size());
+    for (const auto& normal : turned.of(RayRole::normal))
     {
         const auto& node = drawn.tree.nodes[std::size_t(normal.node)];
         EXPECT_EQ(normal.from, node.hit->point);
         EXPECT_LT(dot(normal.to - normal.from, node.direction), 0);
         EXPECT_LT(normal.length(), 0.5 * drawn.objects.radius);
     }
-    EXPECT_EQ(drawn.of(RayRole::normal).size(), drawn.tree.nodes.size());
 }
 
 TEST(Rays, WhatTheCapForbadeIsHintedAt)
@@ -194,12 +200,12 @@ TEST(Labels, NameTheLecturesLettersWithTheNodesNumber)
     EXPECT_EQ(labelOf({.role = RayRole::normal, .node = 5}), "N₅");
 }
 
-TEST(Extent, AFloorThatIsAHugeSphereDoesNotCount)
+TEST(Extent, AFloorOrADomeThatIsAHugeSphereDoesNotCount)
 {
     SceneDescription scene;
     scene.camera.eye = {0, 1, 6};
     scene.camera.target = {0, 1, 0};
-    scene.spheres = {{{0, -1000, 0}, 1000, 0}, {{0, 1, 0}, 1, 0}};
+    scene.spheres = {{{0, -1000, 0}, 1000, 0}, {{0, 1, 2}, 500, 0}, {{0, 1, 0}, 1, 0}};
     const Extent extent = objectExtent(scene);
     EXPECT_LT(extent.radius, 3);
     EXPECT_LT(length(extent.centre - vec3(0, 1, 0)), 1e-9);
