@@ -20,7 +20,7 @@ namespace
 {
 
 /// The lesson whose first scene is shown if neither a lesson nor a scene is named; 0: the last one.
-constexpr int startLesson = 0;
+constexpr int startLesson = 6;
 
 struct ViewerOptions : TraceOptions
 {
