@@ -31,6 +31,13 @@ double sizeOf(const Implicit& line, const V2& point)
     return std::abs(line.A * point.x) + std::abs(line.B * point.y) + std::abs(line.C);
 }
 
+template <class Vector>
+std::string normalText(const char* name, const Vector& n, const Vector& D)
+{
+    return fmt::format("     {0} = {1}, {0}.D = {2}{3}\n", name, vector(n), rest(dot(n, D), length(n) * length(D)),
+                       n == Vector(0) ? ", but it has no direction" : "");
+}
+
 /// The lines of one answer; what has not been written yet is said in their place.
 std::string attempt(const std::function<std::string()>& write)
 {
@@ -107,9 +114,7 @@ struct Writer
     {
         const V2 D = lines.Q2 - lines.P2;
         const auto [n1, n2] = f.normals2(f.implicitForm(lines.P2, lines.Q2));
-        const double size = length(D) * std::max(length(n1), length(n2));
-        return fmt::format("     n1 = {}, n1.D = {}\n     n2 = {}, n2.D = {}\n", vector(n1), rest(dot(n1, D), size),
-                           vector(n2), rest(dot(n2, D), size));
+        return normalText("n1", n1, D) + normalText("n2", n2, D);
     }
 
     std::string distance() const
@@ -171,9 +176,7 @@ struct Writer
         const V3 D = lines.Q3 - lines.P3;
         const auto [n1, n2] = f.normals3({lines.P3, D});
         return step("cross(D, v) is at right angles to D for every v; so are all sums of such vectors") +
-               fmt::format("     n1 = {}, n1.D = {}\n     n2 = {}, n2.D = {}\n", vector(n1),
-                           rest(dot(n1, D), length(n1) * length(D)), vector(n2),
-                           rest(dot(n2, D), length(n2) * length(D)));
+               normalText("n1", n1, D) + normalText("n2", n2, D);
     }
 
     std::string circle() const

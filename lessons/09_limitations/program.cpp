@@ -114,9 +114,10 @@ int run(const Options& options)
 
 int limitationsMain(int argc, char** argv)
 {
-    CLI::App app("Lesson 09, Limitations: lesson 08's picture beside a brute-force reference. Lecture: \"Limitations of "
-                 "Whitted-style\".",
-                 "lesson09");
+    CLI::App app(
+        "Lesson 09, Limitations: lesson 08's picture beside a brute-force reference. Lecture: \"Limitations of "
+        "Whitted-style\".",
+        "lesson09");
     Options options;
     addOptions(app, options);
     return runMain(app, argc, argv, [&] { return run(options); });

@@ -191,6 +191,18 @@ TYPED_TEST(SkyOf, EveryDirectionLiesInThePicture)
     }));
 }
 
+TYPED_TEST(SkyOf, ADirectionThatRoundingMadeTooLongLiesInThePicture)
+{
+    using Real = TypeParam;
+    const Real more = 1 + 4 * eps<Real>;
+    const auto latLong = [](const Vec3<Real>& D) { return SkyFormulas<Real>::latLong(D); };
+    const auto angularMap = [](const Vec3<Real>& D) { return SkyFormulas<Real>::angularMap(D); };
+    EXPECT_EQ(latLong({0, more, 0})[1], 0);
+    EXPECT_LE(std::abs(latLong({0, -more, 0})[1] - 1), 2 * eps<Real>);
+    expectAt<Real>(angularMap({eps<Real>, 0, -more}), Real(0.5), Real(0.5), 2 * eps<Real>, {eps<Real>, 0, -more});
+    expectAt<Real>(angularMap({0, eps<Real>, more}), Real(0.5), 0, 2 * eps<Real>, {0, eps<Real>, more});
+}
+
 // ---- pictures ------------------------------------------------------------------------------------------------------
 
 TYPED_TEST(SkyOf, ATexelsCentreHasItsValueExactly)
