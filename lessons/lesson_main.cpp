@@ -23,7 +23,10 @@ struct LessonOptions : TraceOptions
     bool explain = false;
     bool force = false;
 
-    bool wantsTree() const { return hasProbe() || !tree.empty() || explain; }
+    bool wantsTree() const
+    {
+        return hasProbe() || !tree.empty() || explain;
+    }
 };
 
 void addLessonOptions(CLI::App& app, LessonOptions& options)

@@ -28,13 +28,19 @@ struct View
         half = 0.58 * std::max(high.x - low.x, high.y - low.y);
     }
 
-    double scale() const { return side / (2 * half); }
+    double scale() const
+    {
+        return side / (2 * half);
+    }
     Point operator()(const V2& p) const
     {
         return corner + Point(side / 2 + (p.x - center.x) * scale(), side / 2 - (p.y - center.y) * scale());
     }
     /// A direction on the page.
-    static Point turn(const V2& d) { return {d.x, -d.y}; }
+    static Point turn(const V2& d)
+    {
+        return {d.x, -d.y};
+    }
 };
 
 void drawGrid(Svg& svg, const View& view)

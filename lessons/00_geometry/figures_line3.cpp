@@ -27,8 +27,14 @@ struct Projection
         up = cross(back, right);
     }
 
-    Point flat(const V3& p) const { return {dot(p, right), -dot(p, up)}; }
-    Point operator()(const V3& p) const { return middle + scale * (flat(p) - center); }
+    Point flat(const V3& p) const
+    {
+        return {dot(p, right), -dot(p, up)};
+    }
+    Point operator()(const V3& p) const
+    {
+        return middle + scale * (flat(p) - center);
+    }
 
     /// Chooses the scale so that the points fill a rectangle of pixels.
     void fit(const std::vector<V3>& points, const Point& corner, const Point& size)

@@ -38,7 +38,10 @@ public:
     /// The mark of a right angle at a corner between two directions.
     void rightAngle(const Point& corner, const Point& u, const Point& v, double size = 13);
     /// Labels that follow stay left of this.
-    void keepLabelsLeftOf(double x) { labelsEnd = x; }
+    void keepLabelsLeftOf(double x)
+    {
+        labelsEnd = x;
+    }
     /// Text that is moved as far as it must to stay in the frame. `anchor`: start, middle or end.
     void label(const Point& at, const std::string& words, const std::string& color = ink, double size = 16,
                const std::string& anchor = "start", bool bold = false);
@@ -48,7 +51,10 @@ public:
     /// Lines of text below each other, the first one bold; an empty line is a gap.
     void panel(const Point& at, const std::vector<Line>& lines);
 
-    std::string text() const { return body + "</svg>\n"; }
+    std::string text() const
+    {
+        return body + "</svg>\n";
+    }
 
 private:
     int width, height;

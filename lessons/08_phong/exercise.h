@@ -130,7 +130,10 @@ struct Tracer
     }
 
     // k = cos²2 = 1 - (n1/n2)² (1 - cos²1). Negative: sin2 would exceed 1, there is no such angle.
-    static Real cosSquared2(Real cos1, Real n1, Real n2) { return 1 - (n1 / n2) * (n1 / n2) * (1 - cos1 * cos1); }
+    static Real cosSquared2(Real cos1, Real n1, Real n2)
+    {
+        return 1 - (n1 / n2) * (n1 / n2) * (1 - cos1 * cos1);
+    }
 
     // Angle of incidence equals angle of reflection: D without its part along N, and that part turned round.
     static vec3 reflect(const vec3& D, const vec3& N)

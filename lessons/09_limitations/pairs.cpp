@@ -15,39 +15,39 @@ std::span<const Limitation> limitations()
     static constexpr Limitation all[] = {
         {.name = "shadows",
          .scene = "lessons/09_limitations/scenes/shadows.toml",
-         .left = "a point light: a point of the floor is in shadow or it is not, and all edges are sharp",
-         .right = "a lamp with a size: the higher a ball hangs, the softer its shadow",
+         .left = "a point light: a point is in its shadow or it is not, so all edges are sharp",
+         .right = "a lamp with a size: shadows grow softer with the distance from what casts them",
          .method = "distribution ray tracing (Cook, Porter, Carpenter 1984)",
          .lightRadius = 1.0,
          .spp = 256},
         {.name = "indirect",
          .scene = "lessons/09_limitations/scenes/indirect.toml",
          .left = "direct light only: shadows are black, and what is white stays white",
-         .right = "light from wall to wall: shadows are filled, and red and green bleed onto what is white",
+         .right = "light from wall to wall: shadows are filled, and colours bleed onto what stands beside them",
          .method = "path tracing (Kajiya 1986), radiosity (Goral et al. 1984)",
          .lightRadius = 0.25,
          .spp = 256,
          .bounces = upToMaxDepth},
         {.name = "caustic",
          .scene = "lessons/09_limitations/scenes/caustic.toml",
-         .left = "glass blocks the shadow ray: the glass ball has the shadow of a stone",
-         .right = "the glass ball is a lens: it gathers the lamp's light into a bright spot within its shadow",
+         .left = "glass blocks the shadow ray: it casts the shadow of a stone",
+         .right = "glass is a lens: it gathers the lamp's light into bright spots within its shadow",
          .method = "photon mapping (Jensen 1995)",
          .lightRadius = 1.5,
          .spp = 1024,
          .bounces = 1},
         {.name = "glossy",
          .scene = "lessons/09_limitations/scenes/glossy.toml",
-         .left = "gloss reflects lamps only: without one in sight the glossy floor looks matt",
-         .right = "the floor reflects balls and sky as well, the more blurred the farther they are from it",
+         .left = "gloss reflects lamps only: without one in sight a glossy floor looks matt",
+         .right = "gloss reflects all that is there, the more blurred the farther it is away",
          .method = "distribution ray tracing (Cook, Porter, Carpenter 1984)",
          .lightRadius = 0.5,
          .spp = 256,
          .lobes = true},
         {.name = "aliasing",
          .scene = "lessons/09_limitations/scenes/aliasing.toml",
-         .left = "one ray a pixel: far squares turn into patterns that are not there, edges into stairs",
-         .right = "many rays a pixel: the far floor is the mean of its two colours, edges are smooth",
+         .left = "one ray a pixel: what is smaller turns into patterns that are not there, edges into stairs",
+         .right = "many rays a pixel: what is smaller turns into its mean, and edges are smooth",
          .method = "supersampling (Whitted 1980 did it adaptively)",
          .lightRadius = 0.25,
          .spp = 256,
@@ -87,11 +87,12 @@ Image referencePicture(const SceneDescription& description, const Limitation& li
         Reference reference{scene, beyond, std::mt19937_64(seed)};
         return renderPixel(scene, reference, x, y, options.spp);
     };
+    const auto stopped = [&] { return options.stop && *options.stop; };
     std::atomic<int> next = 0, done = 0;
     const auto work = [&] {
-        for (int y; (y = next++) < image.height && !(options.stop && *options.stop);)
+        for (int y; (y = next++) < image.height && !stopped();)
         {
-            for (int x = 0; x < image.width; ++x) image.at(x, y) = pixel(x, y);
+            for (int x = 0; x < image.width && !stopped(); ++x) image.at(x, y) = pixel(x, y);
             if (options.progress) options.progress(double(++done) / image.height);
         }
     };

@@ -48,11 +48,12 @@ void addOptions(CLI::App& app, Options& options)
         ->type_name("N");
     app.add_option("--out", options.out, "where the pair goes, with --limitation: .png, .ppm, .exr or .hdr")
         ->type_name("FILE");
-    app.footer("Examples:\n"
-               "  lesson09                                  five pairs, lesson09_shadows.png and so on; some minutes\n"
-               "  lesson09 --limitation caustic --light-radius 0.1 --spp 2048\n"
-               "  lesson09 scene.toml --limitation indirect --out pair.exr\n"
-               "Exit codes: 0 done, 2 bad input or usage, 130 interrupted.");
+    app.footer(
+        "Examples:\n"
+        "  lesson09                                  five pairs, lesson09_shadows.png and so on; a minute or two\n"
+        "  lesson09 --limitation caustic --light-radius 0.1 --spp 2048\n"
+        "  lesson09 scene.toml --limitation indirect --out pair.exr\n"
+        "Exit codes: 0 done, 2 bad input or usage, 130 interrupted.");
 }
 
 /// Both halves, with one progress bar: lesson 08 is the quicker one.
@@ -76,6 +77,7 @@ int run(const Options& options)
 {
     if (options.limitation.empty() && !(options.scene.empty() && options.out.empty()))
         throw CLI::ValidationError("--limitation", "is missing: a scene or --out is for one pair, not for all five");
+    if (std::isnan(options.lightRadius)) throw CLI::ValidationError("--light-radius", "expected a number, got nan");
     std::vector<const Limitation*> wanted;
     for (const auto& limitation : limitations())
         if (options.limitation.empty() || options.limitation == limitation.name) wanted.push_back(&limitation);
