@@ -273,6 +273,18 @@ TEST(Reference, OneBounceBetweenTwoPlanesIsTheIntegral)
     expectNear(mean(scene, {.lightRadius = 0.2, .bounces = 1}, onto(0, 0), 100000), floorColor * (direct + collected));
 }
 
+TEST(Reference, BouncesAreNotSpentOnGlassAndMirrors)
+{
+    auto scene = nothing();
+    addSky(scene, {1, 1, 1});
+    addFloor(scene, {.name = "", .color = {0.5, 0.5, 0.5}});
+    const auto throughGlass = onto(0, 0), overMirror = towards({1, 1, 0}, {2, 0.5, 0});
+    scene.planes.push_back({{2, 0, 0}, {1, 0, 0}, addMaterial(scene, {.name = "", .mirror = 1})});
+    addSphere(scene, {0, 0.06, 0}, 0.02, {.name = "", .ior = 1});
+    EXPECT_NEAR(mean(scene, {.bounces = 1}, throughGlass, 100).value, 0.5, 1e-12);
+    EXPECT_NEAR(mean(scene, {.bounces = 1}, overMirror, 100).value, 0.5, 1e-12);
+}
+
 TEST(Reference, ARedWallColoursTheFloorBesideIt)
 {
     auto scene = nothing();
@@ -360,6 +372,20 @@ TEST(Reference, ALobeReturnsAWhiteSkyWhole)
     expectNear(mean(scene, {.lobes = true}, onto(0, 0), 20000), 0.5 * 0.4);
     expectNear(mean(scene, {.bounces = 1, .lobes = true}, onto(0, 0), 20000), 0.5);
     EXPECT_EQ(mean(scene, {.lobes = false}, onto(0, 0), 100).value, 0) << "as in lesson 08";
+    EXPECT_NEAR(mean(scene, {.bounces = 1}, onto(0, 0), 100).value, 0.5 * 0.6, 1e-12) << "the diffuse share";
+}
+
+TEST(Reference, ALobesMeanCosineBelongsToItsExponent)
+{
+    auto scene = nothing();
+    scene.sky.present = true;
+    scene.sky.zenith = vec3(1); // as bright as the direction's height
+    for (const double alpha : {1.0, 2.0, 9.0})
+    {
+        addFloor(scene, {.name = "", .glossy = 1, .exponent = alpha});
+        expectNear(mean(scene, {.lobes = true}, onto(0, 0), 100000), (alpha + 1) / (alpha + 2));
+        scene.planes.clear();
+    }
 }
 
 /// The lecture's (V.R)^alpha sends on 2 / (alpha + 1) of the light; a lobe sends on all of it.
