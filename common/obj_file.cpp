@@ -165,15 +165,14 @@ private:
     {
         std::int64_t index = 0, unused = 0;
         const char *at = word.data(), *const end = at + word.size();
-        const auto digits = std::from_chars(at, end, index);
-        at = digits.ptr;
+        at = std::from_chars(at, end, index).ptr;
         for (int slashes = 0; at != word.data() && at != end && *at == '/' && slashes < 2; ++slashes)
             at = std::from_chars(at + 1, end, unused).ptr;
         if (at == word.data() || at != end)
             fail("{} is not a corner, expected a vertex's number, as in 7, 7/1, 7//2 or 7/1/2", quoted(word));
 
         const auto count = std::int64_t(vertices.size());
-        const bool exists = digits.ec == std::errc() && index != 0 && index >= -count && index <= count;
+        const bool exists = index != 0 && index >= -count && index <= count; // it stays 0 if it does not fit
         if (!exists && count == 0)
             fail("there is no vertex {} above this line, expected 'v x y z' first", quoted(word));
         if (!exists)

@@ -85,6 +85,8 @@ std::string shadowLine(const RayTree::Shadow& shadow)
 {
     std::string line = fmt::format("IsVisible( light {}, L = {}, dist = {:.5g} ): ", shadow.light,
                                    text(shadow.direction), shadow.distance);
+    if (shadow.visible && shadow.tint != Vec3<double>(1))
+        return line + "yes, through glass that lets " + text(shadow.tint) + " pass";
     if (shadow.visible) return line + "yes";
     if (!shadow.blocker) return line + "no";
     return line + fmt::format("no, {} is in the way at {}", shadow.blocker->primitive, text(shadow.blocker->point));
@@ -143,8 +145,8 @@ std::string toText(const RayTree& tree)
         for (; shadow < tree.shadows.size() && tree.shadows[shadow].node == node.id; ++shadow)
             out += inner + shadowLine(tree.shadows[shadow]) + "\n";
         if (node.hit && !tree.shadowsOf(node.id).empty())
-            out +=
-                fmt::format("{}{} * DirectIllumination( I, N ) = {}\n", inner, text(node.hit->color), text(node.own));
+            out += fmt::format("{}own light, {}color * DirectIllumination( I, N ) = {}\n", inner,
+                               tree.childrenOf(node.id).empty() ? "" : "(1 - s) * ", text(node.own));
         for (const auto& stop : tree.capped)
             if (stop.node == node.id)
                 out += fmt::format("{}{} ray, D = {}: not followed ({}), {} stands in\n", inner, name(stop.kind),

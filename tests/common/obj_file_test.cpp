@@ -113,7 +113,7 @@ TEST_F(ObjFile, WhatIsNoPositionAndNoFaceIsPassedOver)
 {
     EXPECT_EQ(read("\xEF\xBB\xBF# comment\nmtllib a b.mtl\no thing\n\n   \n" + corners +
                    "vt 1\nvn 0 0 1\nvp 1 2\ng left upper\ns off\ns 1\nusemtl #1\n"
-                   "f 1 2 3 # the only one\nl 1 2\np 1\n#f 1 2 4\n  # C:\\models\\\nend"),
+                   "  # C:\\models\\\nf 1 2 3 # the only one\nl 1 2\np 1\n#f 1 2 4\nend"),
               (Triangles{{a, b, c}}));
 }
 

@@ -796,7 +796,7 @@ TEST(SkyPicture, ThatCannotBeUsedIsRefusedAtItsKey)
         return message.substr(std::min(message.size(), place.size()));
     };
     writeImage(smallPicture(), in("probe.exr"));
-    folder.file("prob.txt", "");
+    folder.file("prob.ex", ""); // as near, but no picture
     EXPECT_EQ(errorFor("prob.exr"), "no such file, did you mean 'probe.exr'?");
     EXPECT_EQ(errorFor("unlike"), "no such file");
     EXPECT_EQ(errorFor("."), "this is a folder, expected a picture (.hdr, .exr, .png)");

@@ -1,0 +1,237 @@
+#!/usr/bin/env python3
+"""What the course promises about its texts: excerpts are the code's, links lead somewhere, every slide has its row, every
+lesson its page, every erratum its test, and commands name words, lessons, options and scenes that exist."""
+import difflib
+import pathlib
+import re
+import shlex
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+NOTES = ROOT / "slides-notes"
+LESSONS = sorted(ROOT.glob("lessons/[0-9][0-9]_*"))
+SKIPPED = {"build", "out"}
+problems = []
+
+# The headings of the lecture's slides in their order, and what its three pseudocode slides leave to do. A row of
+# slides-notes/README.md may add something in parentheses.
+REFLECTIONS, DIELECTRICS, RECURSION, SHADING = "Reflections", "Refraction: Dielectrics", "Recursion", "Shading"
+PSEUDOCODE = f"{RECURSION}: Whitted-style Ray Tracing, Pseudocode"
+SLIDES = [
+    "Welcome!",
+    "Today's Agenda: Reflections",
+    REFLECTIONS,
+    f"{REFLECTIONS}: Light Transport",
+    f"{REFLECTIONS}: Reflected Vector",
+    f"{REFLECTIONS}: Light Transport",
+    f"{REFLECTIONS}: What is the color of a bathroom mirror?",
+    f"{REFLECTIONS}: Light Transport",
+    REFLECTIONS,
+    f"{REFLECTIONS}: Partially Reflective Surfaces",
+    f"{REFLECTIONS}: Reflecting a HDR Sky",
+    "Today's Agenda: Refraction",
+    *[DIELECTRICS] * 6,
+    "Today's Agenda: Recursion",
+    PSEUDOCODE,
+    "Todo: Implement IntersectScene",
+    "Todo: Implement IsVisible",
+    PSEUDOCODE,
+    "Todo: Handle partially reflective surfaces",
+    PSEUDOCODE,
+    "Todo: Implement reflect",
+    "Todo: Implement refract",
+    "Todo: Implement Fresnel",
+    "Todo: Cap recursion",
+    f"{RECURSION}: Spheres: pure specular",
+    f"{RECURSION}: Spheres: 50% specular",
+    f"{RECURSION}: Spheres: one 50% specular, one glass sphere",
+    RECURSION,
+    f"{RECURSION}: Ray Tree",
+    "Today's Agenda: Shading models",
+    f"{SHADING}: Diffuse Material",
+    f"{SHADING}: Specular Material",
+    SHADING,
+    f"{SHADING}: Glossy Material",
+    f"{SHADING}: Phong Shading",
+    "Today's Agenda: TODO",
+    *["TODO: Limitations of Whitted-style"] * 5,
+    "Tutorial 2 - Geometry: Exercise 1",
+    "Tutorial 2 - Geometry: Exercise 2",
+    "Tutorial 2 - Geometry: Exercise 3",
+    'END of "Ray Tracing (3)"',
+]
+NO_LESSON = ("Welcome!", "Today's Agenda", "END of")
+
+
+def name(path):
+    return str(path.relative_to(ROOT))
+
+
+def texts():
+    """All Markdown files of the project."""
+    for path in sorted(ROOT.rglob("*.md")):
+        parts = path.relative_to(ROOT).parts
+        if not any(part in SKIPPED or part.startswith(".") for part in parts[:-1]):
+            yield path
+
+
+def prose(text):
+    """The text without code, whose brackets are no links."""
+    return re.sub(r"`[^`\n]*`", "", re.sub(r"^```.*?^```", "", text, flags=re.M | re.S))
+
+
+def rows(path):
+    """The cells of all rows of the file's tables, heads and rules left out."""
+    lines = path.read_text().splitlines() if path.exists() else []
+    for number, line in enumerate(lines):
+        following = lines[number + 1] if number + 1 < len(lines) else ""
+        if line.startswith("|") and not line.startswith("| ---") and not following.startswith("| ---"):
+            yield [cell.strip() for cell in line.strip().strip("|").split("|")]
+
+
+def check_excerpts():
+    """A cpp block after <!-- from FILE --> stands in that file. In the notes every cpp block says where it is from."""
+    block = re.compile(r"(?:^<!-- from (\S+) -->\s*\n)?^```cpp\n(.*?)^```", re.M | re.S)
+    for path in texts():
+        for match in block.finditer(path.read_text()):
+            source, excerpt = match.groups()
+            if source is None:
+                if NOTES in path.parents:
+                    problems.append(f"{name(path)}: a cpp block does not say where it is from: {excerpt.splitlines()[0].strip()}")
+                continue
+            if not (ROOT / source).is_file():
+                problems.append(f"{name(path)}: an excerpt is from {source}, which does not exist")
+                continue
+            code = re.sub(r"^ *// (SOLUTION|END|EXERCISE)\b.*\n", "", (ROOT / source).read_text(), flags=re.M)
+            trimmed = lambda text: "\n" + "\n".join(line.rstrip() for line in text.splitlines()) + "\n"
+            if trimmed(excerpt) not in trimmed(code):
+                problems.append(f"{name(path)}: an excerpt does not stand in {source}: {excerpt.splitlines()[0].strip()}")
+
+
+def check_links():
+    for path in texts():
+        for target in re.findall(r"\]\(<?([^)>\s]+)>?(?:\s+\"[^\"]*\")?\)", prose(path.read_text())):
+            if re.match(r"[a-z][a-z+.-]*:", target) or target.startswith("#"):
+                continue
+            place = target.split("#")[0]
+            if not (ROOT / place.lstrip("/") if place.startswith("/") else path.parent / place).exists():
+                problems.append(f"{name(path)}: a link leads nowhere: {target}")
+
+
+def check_pictures():
+    everything = "".join(path.read_text() for path in texts())
+    for picture in sorted((NOTES / "pictures").glob("*.*")):
+        if f"pictures/{picture.name}" not in everything:
+            problems.append(f"{name(picture)} is not used in any text")
+
+
+def check_slides():
+    """Every slide has its row, in order; the row leads to a lesson, and to functions that exist."""
+    table = NOTES / "README.md"
+    found = [row for row in rows(table) if len(row) == 3]
+    headings = [re.sub(r" \([^()]*\)$", "", row[0]) if row[0] not in SLIDES else row[0] for row in found]
+    for operation, i1, i2, j1, j2 in difflib.SequenceMatcher(None, SLIDES, headings, autojunk=False).get_opcodes():
+        if operation != "equal":
+            problems.extend(f"{name(table)}: no row, or not in its place, for the slide '{slide}'" for slide in SLIDES[i1:i2])
+            problems.extend(f"{name(table)}: a row that is no slide's, or not in its place: '{row}'" for row in headings[j1:j2])
+    for heading, lesson, where in found:
+        if not lesson and not heading.startswith(NO_LESSON) and heading != REFLECTIONS:
+            problems.append(f"{name(table)}: the row '{heading}' names no lesson")
+        file = None
+        for quoted in re.findall(r"`([^`]+)`", where):
+            if "/" in quoted:
+                file = ROOT / quoted
+                if not file.is_file():
+                    problems.append(f"{name(table)}: '{heading}' leads to {quoted}, which does not exist")
+            elif file and file.is_file() and re.fullmatch(r"\w+", quoted) and not re.search(rf"\b{quoted}\b", file.read_text()):
+                problems.append(f"{name(table)}: '{heading}' leads to {quoted} in {name(file)}, which is not there")
+
+
+def check_lessons():
+    """Each lesson has a README, a page of notes, a row in the project's README and one in the table of slides."""
+    front, slides = (ROOT / "README.md").read_text(), (NOTES / "README.md").read_text()
+    for lesson in LESSONS:
+        page = f"{lesson.name.replace('_', '-')}.md"
+        if not (lesson / "README.md").is_file():
+            problems.append(f"{name(lesson)}/README.md is missing")
+        if not (NOTES / page).is_file():
+            problems.append(f"slides-notes/{page} is missing")
+        if not re.search(rf"^\| \[[^]]*\]\({name(lesson)}/README\.md\) \|", front, re.M):
+            problems.append(f"README.md has no row for {name(lesson)}")
+        if not re.search(rf"^\|.*\]\({re.escape(page)}\)", slides, re.M):
+            problems.append(f"slides-notes/README.md has no row for slides-notes/{page}")
+
+
+def check_errata():
+    """Each erratum names a test that exists, and each test has its erratum."""
+    errata, tests = NOTES / "errata.md", ROOT / "tests/lessons/errata_test.cpp"
+    existing = set(re.findall(r"^TEST\(Errata, (\w+)\)", tests.read_text(), re.M)) if tests.exists() else set()
+    named = set()
+    for row in rows(errata):
+        test = re.fullmatch(r"`Errata\.(\w+)`", row[-1])
+        if not test:
+            problems.append(f"{name(errata)}: an erratum names no test: {row[0]}, {row[1]}")
+        elif test[1] not in existing:
+            problems.append(f"{name(errata)}: Errata.{test[1]} is not in {name(tests)}")
+        else:
+            named.add(test[1])
+    if not named:
+        problems.append(f"{name(errata)} has no errata")
+    problems.extend(f"{name(errata)} has no row for Errata.{test}" for test in sorted(existing - named))
+
+
+def known_words():
+    """The words of ./raytree: the labels of its `case "$word"`."""
+    script = (ROOT / "raytree").read_text()
+    cases = script.split('case "$word" in')[-1]
+    return {word for labels in re.findall(r"^    ([\w| -]+)\)", cases, re.M) for word in re.split(r"[ |]+", labels) if word}
+
+
+def known_options():
+    files = [ROOT / "raytree"] + [p for folder in ("common", "lessons", "viz") for p in (ROOT / folder).rglob("*.cpp")]
+    return {option for file in files for option in re.findall(r"--[a-z][a-z0-9-]*", file.read_text())}
+
+
+def check_command(where, line, words, options):
+    """One command line: a known word, then perhaps a lesson's number, options and scene files that exist."""
+    try:
+        arguments = shlex.split(line, comments=True)[1:]
+    except ValueError as error:
+        problems.append(f"{where}: {error}: {line}")
+        return
+    if not arguments:
+        return
+    word, rest = arguments[0], arguments[1:]
+    if word not in words:
+        problems.append(f"{where}: ./raytree has no word '{word}': {line}")
+    if word in ("lesson", "exercise"):
+        number = rest[0] if rest else ""
+        folders = [lesson for lesson in LESSONS if number.isdigit() and lesson.name.startswith(f"{int(number):02}_")]
+        if not folders:
+            problems.append(f"{where}: there is no lesson '{number}': {line}")
+        elif word == "exercise" and not (folders[0] / "exercise.h").is_file():
+            problems.append(f"{where}: lesson {number} has no exercise: {line}")
+    for argument in rest:
+        if argument.startswith("--") and argument.split("=")[0] not in options:
+            problems.append(f"{where}: there is no option {argument}: {line}")
+        if argument.endswith(".toml") and not (ROOT / argument).is_file():
+            problems.append(f"{where}: there is no scene {argument}: {line}")
+
+
+def check_commands():
+    words, options = known_words(), known_options()
+    files = [ROOT / "README.md", *(lesson / "README.md" for lesson in LESSONS), *sorted(NOTES.glob("*.md"))]
+    for path in (file for file in files if file.is_file()):
+        text = path.read_text()
+        blocks = re.findall(r"^```sh\n(.*?)^```", text, re.M | re.S)
+        lines = [line for block in blocks for line in block.splitlines() if line.startswith("./raytree")]
+        for line in lines + re.findall(r"`(\./raytree[^`\n]*)`", re.sub(r"^```.*?^```", "", text, flags=re.M | re.S)):
+            check_command(name(path), line, words, options)
+
+
+for check in (check_excerpts, check_links, check_pictures, check_slides, check_lessons, check_errata, check_commands):
+    check()
+for problem in problems:
+    print(problem, file=sys.stderr)
+print(f"{len(SLIDES)} slides, {len(LESSONS)} lessons, {sum(1 for _ in texts())} texts checked, {len(problems)} problems")
+sys.exit(bool(problems))
