@@ -57,9 +57,8 @@ std::vector<Requirement> required(const SceneDescription& scene)
         need(Feature::sky, "it has a [sky]");
     if (branches && scene.trace.cutoff > 0) need(Feature::policies, "[trace] sets a cutoff");
     if (branches && scene.trace.atCap != AtCap::black) need(Feature::policies, "[trace] sets at_cap");
-    const bool dielectric = std::any_of(used.begin(), used.end(), [&](int index) {
-        return scene.materials[std::size_t(index)].isDielectric();
-    });
+    const bool dielectric = std::any_of(used.begin(), used.end(),
+                                        [&](int index) { return scene.materials[std::size_t(index)].isDielectric(); });
     if (dielectric && !scene.lights.empty() && scene.trace.shadowThroughGlass == ShadowThroughGlass::tint)
         need(Feature::policies, "[trace] sets shadow_through_glass");
     std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.feature < b.feature; });

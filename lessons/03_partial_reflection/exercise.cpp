@@ -6,6 +6,6 @@
 int main(int argc, char** argv)
 {
     using namespace rt;
-    return exerciseMain(exerciseEntry<3, exercise03::Tracer>(lesson03::entry, "lessons/03_partial_reflection/exercise.h"), argc,
-                        argv);
+    return exerciseMain(
+        exerciseEntry<3, exercise03::Tracer>(lesson03::entry, "lessons/03_partial_reflection/exercise.h"), argc, argv);
 }

@@ -22,7 +22,8 @@ const LessonEntry entry{
     .slides = "Ray Tree; Cap recursion",
     .source = "lessons/07_recursion_caps/trace.h",
     .scene = "lessons/07_recursion_caps/scenes/mirror_box.toml",
-    .models = {Feature::direct, Feature::mirror, Feature::partial, Feature::sky, Feature::refraction, Feature::fresnel, Feature::policies},
+    .models = {Feature::direct, Feature::mirror, Feature::partial, Feature::sky, Feature::refraction, Feature::fresnel,
+               Feature::policies},
     .render = renderLesson<Lesson>,
     .inspect = inspectLesson<Lesson>,
 };

@@ -22,7 +22,8 @@ const LessonEntry entry{
     .slides = "Shading: Diffuse Material, Glossy Material, Phong Shading",
     .source = "lessons/08_phong/trace.h",
     .scene = "lessons/08_phong/scenes/exponents.toml",
-    .models = {Feature::direct, Feature::mirror, Feature::partial, Feature::sky, Feature::refraction, Feature::fresnel, Feature::policies, Feature::phong},
+    .models = {Feature::direct, Feature::mirror, Feature::partial, Feature::sky, Feature::refraction, Feature::fresnel,
+               Feature::policies, Feature::phong},
     .render = renderLesson<Lesson>,
     .inspect = inspectLesson<Lesson>,
 };

@@ -37,7 +37,10 @@ struct Reference
     std::mt19937_64 generator; // one for each pixel, seeded with its number
     const int MAXDEPTH = scene.settings.maxDepth;
 
-    Color trace(const Ray& ray) { return follow(ray, beyond.bounces, true); }
+    Color trace(const Ray& ray)
+    {
+        return follow(ray, beyond.bounces, true);
+    }
 
     // What does one path along this ray bring? The point that it leaves may have asked for the lamps already: then a lamp
     // that the path meets by chance is not counted again. Behind glass or a mirror it is, and that is a caustic.
@@ -124,7 +127,10 @@ struct Reference
         return ray.spawn(transmitted, I, n1 / n2 * ray.D + (n1 / n2 * cos1 - cos2) * N);
     }
 
-    static vec3 reflect(const vec3& D, const vec3& N) { return D - 2 * dot(D, N) * N; }
+    static vec3 reflect(const vec3& D, const vec3& N)
+    {
+        return D - 2 * dot(D, N) * N;
+    }
 
     // A direction whose cosine to the axis is 1 - v, turned about the axis at random.
     vec3 around(const vec3& axis, Real v)
@@ -135,7 +141,10 @@ struct Reference
     }
 
     // Uniform in [0, 1).
-    Real random() { return Real(generator() >> 11) * 0x1p-53; }
+    Real random()
+    {
+        return Real(generator() >> 11) * 0x1p-53;
+    }
 };
 
 } // namespace rt::lesson09
