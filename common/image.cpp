@@ -121,7 +121,7 @@ Image readImage(const std::string& path)
     std::vector<float> values(std::size_t(spec.width) * std::size_t(spec.height) * channels);
     if (!in->read_image(0, 0, 0, -1, OIIO::TypeDesc::FLOAT, values.data()))
         throw std::runtime_error(fmt::format("{}: cannot be read: {}", path, in->geterror()));
-    const bool srgb = spec.format.basesize() == 1;
+    const bool srgb = !spec.format.is_floating_point();
     Image image(spec.width, spec.height);
     for (std::size_t i = 0; i < image.pixels.size(); ++i)
         for (std::size_t c = 0; c < 3; ++c)

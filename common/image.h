@@ -33,7 +33,7 @@ void checkWritable(const std::string& path);
 /// at all. Throws std::runtime_error with one sentence.
 void writeImage(const Image& image, const std::string& path);
 
-/// Reads a picture as linear RGB (8-bit files are taken as sRGB). Throws std::runtime_error with one sentence.
+/// Reads a picture as linear RGB (files of whole numbers, as .png, are taken as sRGB). Throws std::runtime_error with one sentence.
 Image readImage(const std::string& path);
 
 /// The 8-bit sRGB value of a linear channel, clamped to [0, 1], rounded to nearest; NaN gives 0.

@@ -77,24 +77,6 @@ private:
     PrimitiveId firstTriangle() const { return PrimitiveId(spheres.size() + planes.size()); }
 };
 
-/// `value` in Real; throws std::range_error, naming `what`, if it overflows, or vanishes though it was not zero.
-template <std::floating_point Real>
-Real narrow(double value, const std::string& what)
-{
-    const Real narrowed = Real(value);
-    if (!std::isfinite(narrowed) || (narrowed == 0 && value != 0))
-        throw std::range_error(what + " = " + std::to_string(value) + " does not fit the tracer's scalar type");
-    return narrowed;
-}
-
-template <std::floating_point Real>
-Vec3<Real> narrow(const Vec3<double>& v, const std::string& what)
-{
-    const Vec3<Real> narrowed(v);
-    if (!isFinite(narrowed)) throw std::range_error(what + " does not fit the tracer's scalar type");
-    return narrowed;
-}
-
 template <std::floating_point Real>
 Scene<Real>::Scene(const SceneDescription& description)
     : camera(description.camera), settings(description.trace), sky(description.sky)

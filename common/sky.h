@@ -29,10 +29,10 @@ struct SkyFormulas
     /// Debevec's angular map: the distance from the middle is the angle to -z, the rim is +z.
     static vec2 angularMap(const vec3& D)
     {
-        const Real across = std::sqrt(D.x * D.x + D.y * D.y);
+        const Real across = std::hypot(D.x, D.y);
         if (across == 0) return {D.z < 0 ? Real(0.5) : Real(1), Real(0.5)};
-        const Real r = std::acos(std::clamp<Real>(-D.z, -1, 1)) / PI / across;
-        return {(1 + D.x * r) / 2, (1 - D.y * r) / 2};
+        const Real r = std::atan2(across, -D.z) / PI;
+        return {(1 + D.x / across * r) / 2, (1 - D.y / across * r) / 2};
     }
 };
 
@@ -42,20 +42,21 @@ class Sky
 {
 public:
     explicit Sky(const SkyDescription& sky)
-        : horizon(sky.color), zenith(sky.zenith.value_or(sky.color)), gradient(sky.zenith.has_value()),
+        : horizon(narrow<Real>(sky.color, "sky.color")),
+          zenith(narrow<Real>(sky.zenith.value_or(sky.color), "sky.zenith")), gradient(sky.zenith.has_value()),
           mapping(sky.mapping), image(sky.image)
     {
         if (!sky.sun) return;
         sun = unit(Vec3<Real>(unit(sky.sun->direction)));
-        sunColor = Vec3<Real>(sky.sun->color);
-        cosSun = std::cos(Real(sky.sun->size) / 2 * SkyFormulas<Real>::PI / 180);
+        sunColor = narrow<Real>(sky.sun->color, "sky.sun.color");
+        sunChord = 2 * std::sin(Real(sky.sun->size) / 4 * SkyFormulas<Real>::PI / 180);
     }
 
     /// What a ray in direction D (unit) sees; any non-negative value, often far above 1.
     template <class Formulas = SkyFormulas<Real>>
     Vec3<Real> color(const Vec3<Real>& D, const Formulas& formulas = {}) const
     {
-        if (dot(D, sun) >= cosSun) return sunColor;
+        if (length(D - sun) <= sunChord) return sunColor;
         if (image)
         {
             const auto [u, v] = mapping == SkyMapping::latlong ? formulas.latLong(D) : SkyFormulas<Real>::angularMap(D);
@@ -79,13 +80,15 @@ private:
     Vec3<Real> horizon, zenith;
     bool gradient;
     Vec3<Real> sun{0, 0, 0}, sunColor{0, 0, 0};
-    Real cosSun = 2; ///< no direction is that near: there is no sun
+    Real sunChord = -1; ///< from the middle of its disc to the edge, as points of the unit sphere; -1: there is no sun
     SkyMapping mapping;
     std::shared_ptr<const Image> image;
 
     /// Bilinear between the four nearest texels; a lat-long image is closed at its left and right edges.
     Vec3<Real> lookUp(Real u, Real v) const
     {
+        u = u > 0 ? std::min<Real>(u, 1) : 0; // whatever an exercise returns, NaN too, is a place in the picture
+        v = v > 0 ? std::min<Real>(v, 1) : 0;
         const Real x = u * Real(image->width) - Real(0.5), y = v * Real(image->height) - Real(0.5);
         const Real left = std::floor(x), top = std::floor(y), fx = x - left, fy = y - top;
         const auto texel = [&](int dx, int dy) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <concepts>
 #include <limits>
+#include <stdexcept>
+#include <string>
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -51,6 +53,24 @@ template <std::floating_point Real>
 bool isFinite(const Vec3<Real>& v)
 {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// `value` in Real; throws std::range_error, naming `what`, if it overflows, or vanishes though it was not zero.
+template <std::floating_point Real>
+Real narrow(double value, const std::string& what)
+{
+    const Real narrowed = Real(value);
+    if (!std::isfinite(narrowed) || (narrowed == 0 && value != 0))
+        throw std::range_error(what + " = " + std::to_string(value) + " does not fit the tracer's scalar type");
+    return narrowed;
+}
+
+template <std::floating_point Real>
+Vec3<Real> narrow(const Vec3<double>& v, const std::string& what)
+{
+    const Vec3<Real> narrowed(v);
+    if (!isFinite(narrowed)) throw std::range_error(what + " does not fit the tracer's scalar type");
+    return narrowed;
 }
 
 } // namespace rt

@@ -180,6 +180,18 @@ class Programs(unittest.TestCase):
         for scene in sorted(ROOT.glob("lessons/0[1-8]_*/scenes/*.toml")):
             self.run_program(f"lesson{scene.parent.parent.name[:2]}", scene, "--size", "16x12", "--out", "p.png")
 
+    def test_lesson_09_makes_a_pair(self):
+        self.run_program("lesson09", "--limitation", "shadows", "--spp", "4", "--size", "64x48", "--out", "p.ppm")
+        width = int((self.here / "p.ppm").read_bytes().split()[1])
+        self.assertGreaterEqual(width, 128)
+        self.assertIn("--limitation", self.refused("lesson09", "--limitation", "nothing"))
+
+    def test_lesson_00_answers_the_tutorial(self):
+        out, _ = self.run_program("lesson00")
+        for words in ("0.4", "1.2", "53"):
+            self.assertIn(words, out)
+        self.assertIn("not attempted", self.run_program("exercise00")[0])
+
     def test_interruption_writes_nothing(self):
         import signal, time
         process = subprocess.Popen([str(BIN / "lesson02"), "--size", "2000x2000", "--spp", "1000", "--out", "p.png"], cwd=self.here, stderr=subprocess.PIPE)
