@@ -56,6 +56,7 @@ Image render(const Scene<Real>& scene, int width, int height, const RenderOption
     Image image(width, height);
     std::atomic<int> done = 0;
     const auto renderTile = [&](int tile) {
+        if (options.stop && *options.stop) return;
         Tracer tracer{scene};
         const int left = tile % columns * side, top = tile / columns * side;
         for (int y = top; y < std::min(top + side, height); ++y)
