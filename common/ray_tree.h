@@ -58,6 +58,8 @@ struct RayTree
         bool orphan = false; ///< its parent could not be told from its depth
         int line = 0;        ///< of the lesson's trace.h where the ray was followed; 0: unknown
         int returnLine = 0;  ///< where it returned
+        int step = 0;        ///< order among all that happened (see eventsOf); 0 everywhere: unknown
+        int returnStep = 0;  ///< of its return
     };
 
     struct Shadow
@@ -75,6 +77,7 @@ struct RayTree
         };
         std::optional<Blocker> blocker; ///< the nearest thing in the way
         int line = 0;
+        int step = 0;
     };
 
     /// A ray that was not followed, and the colour that stood in for what it would have brought.
@@ -87,11 +90,13 @@ struct RayTree
         Vec3<double> radiance{0, 0, 0};
         End reason = End::cap;
         int line = 0;
+        int step = 0;
     };
 
     int version = 1;
     int lesson = 0;    ///< 0: not one of the lessons
     std::string scene; ///< file of the scene
+    std::string source; ///< file whose lines the nodes name, relative to the project; empty: unknown
     std::string real = "double";
     std::optional<std::array<int, 2>> pixel; ///< x right, y down; empty when a ray was given
     int maxDepth = 0;

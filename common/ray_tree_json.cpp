@@ -64,7 +64,9 @@ Json nodeJson(const RayTree::Node& node)
             {"tir", node.tir},
             {"orphan", node.orphan},
             {"line", node.line},
-            {"return_line", node.returnLine}};
+            {"return_line", node.returnLine},
+            {"step", node.step},
+            {"return_step", node.returnStep}};
 }
 
 Json shadowJson(const RayTree::Shadow& shadow)
@@ -78,7 +80,8 @@ Json shadowJson(const RayTree::Shadow& shadow)
             {"visible", shadow.visible},
             {"tint", triple(shadow.tint)},
             {"blocker", blocker},
-            {"line", shadow.line}};
+            {"line", shadow.line},
+            {"step", shadow.step}};
 }
 
 Json cappedJson(const RayTree::Capped& capped)
@@ -89,7 +92,8 @@ Json cappedJson(const RayTree::Capped& capped)
             {"weight", number(capped.weight)},
             {"radiance", triple(capped.radiance)},
             {"reason", name(capped.reason)},
-            {"line", capped.line}};
+            {"line", capped.line},
+            {"step", capped.step}};
 }
 
 /// Reads one object of the file; every message names the place, as in "nodes[3].hit.t".
@@ -212,6 +216,8 @@ RayTree::Node readNode(const Reader& in, int id)
     if (in.has("orphan")) node.orphan = in.boolean("orphan");
     if (in.has("line")) node.line = in.integer("line", 0, 1 << 30);
     if (in.has("return_line")) node.returnLine = in.integer("return_line", 0, 1 << 30);
+    if (in.has("step")) node.step = in.integer("step", 0, 1 << 30);
+    if (in.has("return_step")) node.returnStep = in.integer("return_step", 0, 1 << 30);
     return node;
 }
 
@@ -230,6 +236,7 @@ RayTree::Shadow readShadow(const Reader& in, int nodes)
         shadow.blocker = {blocker.string("primitive"), blocker.triple("point")};
     }
     if (in.has("line")) shadow.line = in.integer("line", 0, 1 << 30);
+    if (in.has("step")) shadow.step = in.integer("step", 0, 1 << 30);
     return shadow;
 }
 
@@ -243,6 +250,7 @@ RayTree::Capped readCapped(const Reader& in, int nodes)
     capped.radiance = in.triple("radiance");
     capped.reason = in.choice("reason", {End::cap, End::cutoff});
     if (in.has("line")) capped.line = in.integer("line", 0, 1 << 30);
+    if (in.has("step")) capped.step = in.integer("step", 0, 1 << 30);
     return capped;
 }
 
@@ -263,7 +271,7 @@ std::vector<Item> readArray(const Json& json, const char* key, Read&& read)
 
 std::string toJson(const RayTree& tree)
 {
-    Json json = {{"version", tree.version}, {"lesson", tree.lesson}, {"scene", tree.scene}, {"real", tree.real}};
+    Json json = {{"version", tree.version}, {"lesson", tree.lesson}, {"scene", tree.scene}, {"source", tree.source}, {"real", tree.real}};
     if (tree.pixel)
         json["pixel"] = *tree.pixel;
     else if (!tree.nodes.empty())
@@ -296,6 +304,7 @@ RayTree rayTreeFromJson(const std::string& text)
     tree.version = in.integer("version", 1, 1);
     if (in.has("lesson")) tree.lesson = in.integer("lesson", 0, 99);
     if (in.has("scene")) tree.scene = in.string("scene");
+    if (in.has("source")) tree.source = in.string("source");
     if (in.has("real")) tree.real = in.string("real");
     if (in.has("pixel"))
     {

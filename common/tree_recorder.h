@@ -29,6 +29,7 @@ public:
         node.direction = Vec3<double>(ray.D);
         node.weight = double(ray.weight);
         node.line = int(where.line());
+        node.step = ++steps;
         if (const auto* parent = openNode(); parent && parent->depth == node.depth - 1)
         {
             node.parent = parent->id;
@@ -58,6 +59,7 @@ public:
         {
             node.end = End::miss;
             node.returnLine = node.line;
+            node.returnStep = ++steps;
         }
         if (auto* parent = openNode(); parent && node.parent == parent->id)
         {
@@ -81,6 +83,7 @@ public:
         shadow.visible = visible;
         if (visible) shadow.tint = Vec3<double>(scene->shadowTint(I, L, distance));
         shadow.line = int(where.line());
+        shadow.step = ++steps;
         if (!visible)
             if (const auto hit = scene->intersect(Ray<Real>{.O = I, .D = L, .from = I.on}))
                 shadow.blocker = {scene->primitiveName(hit->I.on), Vec3<double>(hit->I)};
@@ -121,6 +124,7 @@ public:
         if (open.empty()) return;
         auto& node = tree->nodes[std::size_t(open.back().node)];
         node.returnLine = int(where.line());
+        node.returnStep = ++steps;
         if (!open.back().hasOwn) setOwn(node, color - open.back().brought);
         close(color);
     }
@@ -137,6 +141,7 @@ private:
     RayTree* tree = nullptr;
     const Scene<Real>* scene = nullptr;
     std::vector<Open> open; // the nodes from the root to the current one
+    int steps = 0;          // what has happened so far
 
     RayTree::Node* openNode() { return open.empty() ? nullptr : &tree->nodes[std::size_t(open.back().node)]; }
 
@@ -183,7 +188,7 @@ private:
         if (parent->end != End::none) parent->end = reason;
         noteTotalReflection(*parent, ray);
         tree->capped.push_back({parent->id, ray.kind, Vec3<double>(ray.D), double(ray.weight), Vec3<double>(color),
-                                reason, int(where.line())});
+                                reason, int(where.line()), ++steps});
         parent->contribution += passedOn(*parent, ray.weight) * Vec3<double>(color);
         bring(ray.weight, color);
     }

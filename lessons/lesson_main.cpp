@@ -53,7 +53,8 @@ void footer(CLI::App& app, const std::string& command)
 
 void printTree(const LessonEntry& lesson, const SceneDescription& scene, const LessonOptions& options)
 {
-    const RayTree tree = lesson.inspect(scene, options.precision(), probe(options, scene));
+    RayTree tree = lesson.inspect(scene, options.precision(), probe(options, scene));
+    tree.source = lesson.source;
     if (options.tree == "json") std::cout << toJson(tree);
     if (options.tree == "text" || (options.tree.empty() && !options.explain)) std::cout << toText(tree);
     if (options.explain) (options.tree == "json" ? std::cerr : std::cout) << explain(tree, scene, lectureFormulas());
