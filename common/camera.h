@@ -13,11 +13,12 @@ class Camera
 {
 public:
     explicit Camera(const CameraDescription& description)
-        : eye(description.eye), width(description.width), height(description.height)
+        : eye(narrow<Real>(description.eye, "camera.eye")), width(description.width), height(description.height)
     {
-        const Vec3<Real> target(description.target), up(description.up);
-        forward = unit(target - eye);
-        right = unit(cross(forward, unit(up)));
+        // In float, eye and target may round to the same point.
+        using Vec = Vec3<Wide<Real>>;
+        forward = Vec3<Real>(unit(Vec(description.target) - Vec(description.eye)));
+        right = unit(cross(forward, unit(Vec3<Real>(unit(Vec(description.up))))));
         above = cross(right, forward);
         const Real degree = Real(3.14159265358979323846264338327950288L) / 180;
         halfHeight = std::tan(Real(description.verticalFov) * degree / 2);

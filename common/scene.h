@@ -82,8 +82,19 @@ Scene<Real>::Scene(const SceneDescription& description)
     : camera(description.camera), settings(description.trace), sky(description.sky)
 {
     for (const auto& m : description.materials)
-        materials.push_back({m.name, Vec3<Real>(m.color), Real(m.mirror), Real(m.ior), Real(m.iorOutside),
-                             Real(m.glossy), narrow<Real>(m.exponent, "materials." + m.name + ".exponent")});
+    {
+        const std::string name = "materials." + m.name;
+        materials.push_back({m.name, Vec3<Real>(m.color), Real(m.mirror), narrow<Real>(m.ior, name + ".ior"),
+                             narrow<Real>(m.iorOutside, name + ".ior_outside"), Real(m.glossy),
+                             narrow<Real>(m.exponent, name + ".exponent")});
+        // V.R is 1 up to some eps, and its power grows with the exponent. A highlight so narrow that directions cannot
+        // resolve it is not made narrower, or it would get infinitely bright.
+        auto& mat = materials.back();
+        mat.exponent = std::min(mat.exponent, 1 / std::numeric_limits<Real>::epsilon());
+        if (mat.isDielectric())
+            for (const Real ratio : {mat.ior / mat.iorOutside, mat.iorOutside / mat.ior})
+                narrow<Real>(double(ratio * ratio), "the square of n1 / n2 in " + name);
+    }
     for (const auto& s : description.spheres)
     {
         const std::string name = "sphere" + std::to_string(spheres.size());
@@ -93,8 +104,9 @@ Scene<Real>::Scene(const SceneDescription& description)
     for (const auto& p : description.planes)
     {
         const std::string name = "plane" + std::to_string(planes.size());
-        Plane<Real> plane{
-            .P = narrow<Real>(p.point, name + ".point"), .N = unit(Vec3<Real>(unit(p.normal))), .material = p.material};
+        Plane<Real> plane{.P = narrow<Real>(p.point, name + ".point"),
+                          .N = unit(Vec3<Real>(unit(Vec3<Wide<Real>>(p.normal)))),
+                          .material = p.material};
         if (p.hasChecker)
         {
             plane.checkerMaterial = int(materials.size());
@@ -115,9 +127,11 @@ Scene<Real>::Scene(const SceneDescription& description)
         planes.push_back(plane);
     }
     const auto addTriangle = [&](const std::array<Vec3<double>, 3>& vertices, int material, const std::string& name) {
-        const auto& [a, b, c] = vertices;
-        triangles.push_back({narrow<Real>(a, name), narrow<Real>(b, name), narrow<Real>(c, name),
-                             Vec3<Real>(unit(cross(unit(b - a), unit(c - a)))), material});
+        using Vec = Vec3<Wide<Real>>;
+        const Vec a(vertices[0]), b(vertices[1]), c(vertices[2]);
+        triangles.push_back({narrow<Real>(vertices[0], name), narrow<Real>(vertices[1], name),
+                             narrow<Real>(vertices[2], name), Vec3<Real>(unit(cross(unit(b - a), unit(c - a)))),
+                             material});
     };
     for (const auto& t : description.triangles)
         addTriangle(t.vertices, t.material, "triangle" + std::to_string(triangles.size()) + ".vertices");
@@ -198,10 +212,13 @@ Vec3<Real> Scene<Real>::shadowTint(const Point<Real>& I, const Vec3<Real>& L, Re
 {
     Vec3<Real> tint(1);
     if (settings.shadowThroughGlass == ShadowThroughGlass::block) return tint;
-    // From surface to surface, as the light goes straight on: each one that is crossed takes its share.
+    // From surface to surface, as the light goes straight on: each one that is crossed takes its share. A line crosses a
+    // sphere twice at most; where two surfaces coincide, rounding might find now the one, now the other for ever.
     Ray<Real> ray{.O = I, .D = L, .from = I.on};
-    while (const auto hit = intersect(ray))
+    for (auto left = 2 * spheres.size() + planes.size() + triangles.size(); left > 0; --left)
     {
+        const auto hit = intersect(ray);
+        if (!hit) break;
         distance -= hit->t;
         if (!(distance > 0)) break;
         tint *= hit->mat.color;

@@ -47,7 +47,7 @@ public:
           mapping(sky.mapping), image(sky.image)
     {
         if (!sky.sun) return;
-        sun = unit(Vec3<Real>(unit(sky.sun->direction)));
+        sun = unit(Vec3<Real>(unit(Vec3<Wide<Real>>(sky.sun->direction))));
         sunColor = narrow<Real>(sky.sun->color, "sky.sun.color");
         sunChord = 2 * std::sin(Real(sky.sun->size) / 4 * SkyFormulas<Real>::PI / 180);
     }

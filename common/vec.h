@@ -11,7 +11,9 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
-#ifdef __FAST_MATH__
+// __GCC_IEC_559 is 0 under each of the flags that -ffast-math is made of; clang has no such macro.
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) ||                               \
+    (defined(__GCC_IEC_559) && __GCC_IEC_559 == 0)
 #error "raytree must not be built with -ffast-math: NaN, infinity and the order of operations are part of its results"
 #endif
 
@@ -21,6 +23,10 @@ namespace rt
 /// A point, a direction or a linear RGB colour. Right-handed, y up; lengths in scene units.
 template <std::floating_point Real>
 using Vec3 = glm::vec<3, Real, glm::defaultp>;
+
+/// What a scene's numbers are computed with before they become Real: double for float, else Real itself.
+template <std::floating_point Real>
+using Wide = decltype(Real() + double());
 
 template <std::floating_point Real>
 inline constexpr Real infinity = std::numeric_limits<Real>::infinity();

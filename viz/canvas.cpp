@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <tuple>
 
 #include <vtkBrush.h>
 #include <vtkPen.h>
 #include <vtkStdString.h>
+
+#include "viz/node_text.h"
 
 namespace rt::viz
 {
@@ -33,10 +37,30 @@ double Canvas::text(double x, double y, const std::string& text, const TextLook&
 double Canvas::textWidth(const std::string& text, const TextLook& look)
 {
     if (text.empty()) return 0;
-    apply(look);
-    float bounds[4] = {0, 0, 0, 0};
-    context->ComputeStringBounds(vtkStdString(text), bounds);
-    return double(bounds[2]);
+    // Panes measure the same few texts at each drawing.
+    static std::map<std::tuple<Font, double, std::string>, double> known;
+    if (known.size() > 20000) known.clear();
+    const auto [entry, isNew] = known.try_emplace({look.font, px(look.size), text}, 0);
+    if (isNew)
+    {
+        apply(look);
+        float bounds[4] = {0, 0, 0, 0};
+        context->ComputeStringBounds(vtkStdString(text), bounds);
+        entry->second = double(bounds[2]);
+    }
+    return entry->second;
+}
+
+double Canvas::textWithin(double x, double y, double width, const std::string& text, const TextLook& look)
+{
+    if (textWidth(text, look) <= width) return this->text(x, y, text, look);
+    std::size_t fits = 0, tooMany = characters(text);
+    while (tooMany > fits + 1)
+    {
+        const auto middle = (fits + tooMany) / 2;
+        (textWidth(shorten(text, middle), look) <= width ? fits : tooMany) = middle;
+    }
+    return fits < 2 ? 0 : this->text(x, y, shorten(text, fits), look);
 }
 
 void Canvas::brush(const Rgba& color)

@@ -32,6 +32,8 @@ public:
 
     /// Vertically centred on y. Returns the width.
     double text(double x, double y, const std::string& text, const TextLook& look);
+    /// With an ellipsis where it is wider than `width`; nothing if not even that fits. Returns the width.
+    double textWithin(double x, double y, double width, const std::string& text, const TextLook& look);
     double textWidth(const std::string& text, const TextLook& look);
     /// The width of each character of the mono font.
     double monoWidth(double size) { return textWidth(std::string(40, '0'), {Font::mono, size, {}}) / 40; }

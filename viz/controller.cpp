@@ -1,19 +1,63 @@
 #include "viz/controller.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace rt::viz
 {
 
 namespace
 {
+
 constexpr int deepestCap = 1024; // as --depth allows
+constexpr int never = std::numeric_limits<int>::max();
+
+} // namespace
+
+const char* name(Kind kind)
+{
+    switch (kind)
+    {
+    case Kind::camera:
+        return "camera";
+    case Kind::reflected:
+        return "reflected";
+    case Kind::transmitted:
+        return "transmitted";
+    case Kind::lit:
+        return "lit";
+    case Kind::blocked:
+        break;
+    }
+    return "blocked";
+}
+
+const char* name(Look look)
+{
+    return look == Look::dark ? "dark" : "light";
 }
 
 Controller::Controller(Session chosen) : session(std::move(chosen))
 {
-    image = session.lesson->render(session.scene, session.precision, session.render);
-    traceTree();
+    if (session.source.isSlow)
+        paintPicture();
+    else if (session.source.render)
+        image = session.source.render(session.scene, session.render);
+    session.render.progress = nullptr; // later pictures are made in the background
+    if (asksOthers())
+    {
+        traceTree();
+        return;
+    }
+    Trees trees = trace(session, false);
+    if (!trees.failure.empty() && trees.mine.nodes.empty()) throw std::runtime_error(trees.failure);
+    take(std::move(trees));
+}
+
+std::optional<std::array<int, 2>> Controller::pixel() const
+{
+    const auto* chosen = std::get_if<std::array<int, 2>>(&session.probe);
+    return chosen ? std::optional(*chosen) : std::nullopt;
 }
 
 int Controller::deepest() const
@@ -28,15 +72,95 @@ const RayTree::Node* Controller::node() const
     return std::size_t(selectedNode) < rays.nodes.size() ? &rays.nodes[std::size_t(selectedNode)] : nullptr;
 }
 
-/// The selection stays if the new tree has a ray of the same kind and depth in that place.
+const Event* Controller::current() const
+{
+    return stepping && steps > 0 ? &happened[std::size_t(steps - 1)] : nullptr;
+}
+
+bool Controller::isShown(int id) const
+{
+    const auto& candidate = rays.nodes[std::size_t(id)];
+    // Not "at least": what is not a number is shown.
+    return shown[std::size_t(candidate.kind)] && !(largestChannel(candidate.throughput) < leastThroughput);
+}
+
+bool Controller::isShadowShown(int shadow) const
+{
+    const auto& candidate = rays.shadows[std::size_t(shadow)];
+    return shows(candidate.visible ? Kind::lit : Kind::blocked) &&
+           !(largestChannel(rays.nodes[std::size_t(candidate.node)].throughput) < leastThroughput);
+}
+
+Controller::Trees Controller::trace(const Session& session, const std::atomic<bool>& stop)
+{
+    Trees trees;
+    try
+    {
+        trees.mine = session.source.inspect(session.scene, session.probe, stop);
+        if (session.other) trees.other = session.other->inspect(session.scene, session.probe, stop);
+    }
+    catch (const std::exception& error)
+    {
+        trees.failure = error.what();
+    }
+    return trees;
+}
+
 void Controller::traceTree()
 {
+    if (!asksOthers())
+    {
+        take(trace(session, false));
+        notify(changedTree | changedNode | changedStep);
+        return;
+    }
+    tracer.start([asked = session](const std::atomic<bool>& stop) { return trace(asked, stop); });
+    say("waiting for " + (session.source.isSlow ? session.source : *session.other).title);
+}
+
+/// The selection stays if the new tree has a ray of the same kind and depth in that place; a failure leaves the old tree.
+void Controller::take(Trees&& trees)
+{
+    said.clear();
+    treeProblem = trees.failure;
+    if (!treeProblem.empty() && trees.mine.nodes.empty()) return;
     const auto* before = node();
     const RayKind kind = before ? before->kind : RayKind::camera;
     const int depth = before ? before->depth : 0;
-    rays = session.lesson->inspect(session.scene, session.precision, session.probe);
+    rays = std::move(trees.mine);
     const auto* after = node();
     if (!after || after->kind != kind || after->depth != depth) selectedNode = 0;
+    hoveredNode = -1;
+    indexEvents();
+    compared.reset();
+    if (trees.other) compare(*trees.other);
+}
+
+void Controller::compare(const RayTree& other)
+{
+    const bool precisionsDiffer = (rays.real == "float") != (other.real == "float");
+    const TreeTolerance tolerance = precisionsDiffer ? floatAgainstDouble() : TreeTolerance{};
+    compared = TreeComparison{other, matchTrees(rays, other, tolerance), firstDifference(rays, other, tolerance)};
+}
+
+void Controller::indexEvents()
+{
+    happened = eventsOf(rays);
+    reachedAt.assign(rays.nodes.size(), never);
+    returnedAt.assign(rays.nodes.size(), never);
+    shadowAt.assign(rays.shadows.size(), never);
+    cappedAt.assign(rays.capped.size(), never);
+    for (std::size_t i = 0; i < happened.size(); ++i)
+    {
+        const auto& event = happened[i];
+        auto& step = event.kind == Event::Kind::follow    ? reachedAt[std::size_t(event.node)]
+                     : event.kind == Event::Kind::returns ? returnedAt[std::size_t(event.node)]
+                     : event.kind == Event::Kind::shadow  ? shadowAt[std::size_t(event.index)]
+                                                          : cappedAt[std::size_t(event.index)];
+        step = int(i) + 1;
+    }
+    steps = lastStep();
+    stepping = playing = false;
 }
 
 void Controller::choosePixel(int x, int y)
@@ -46,7 +170,6 @@ void Controller::choosePixel(int x, int y)
     if (pixel() == chosen) return;
     session.probe = chosen;
     traceTree();
-    notify(changedTree | changedNode);
 }
 
 void Controller::movePixel(int dx, int dy)
@@ -57,7 +180,10 @@ void Controller::movePixel(int dx, int dy)
 
 void Controller::selectNode(int id)
 {
-    if (id == selectedNode || id < 0 || std::size_t(id) >= rays.nodes.size()) return;
+    if (id < 0 || std::size_t(id) >= rays.nodes.size()) return;
+    const bool isAhead = !isReached(id);
+    if (isAhead && reachedAt[std::size_t(id)] != never) return stepTo(reachedAt[std::size_t(id)]);
+    if (id == selectedNode) return;
     selectedNode = id;
     notify(changedNode);
 }
@@ -67,14 +193,121 @@ void Controller::parentNode()
     if (node()) selectNode(node()->parent);
 }
 
+void Controller::hover(int id)
+{
+    if (id < 0 || std::size_t(id) >= rays.nodes.size()) id = -1;
+    if (id == hoveredNode) return;
+    hoveredNode = id;
+    notify(changedHover);
+}
+
+void Controller::stepTo(int step)
+{
+    step = std::clamp(step, 0, lastStep());
+    const bool began = !stepping;
+    stepping = true;
+    if (step == steps && !began) return;
+    steps = step;
+    unsigned changes = changedStep;
+    if (const auto* event = current(); event && event->node != selectedNode)
+    {
+        selectedNode = event->node;
+        changes |= changedNode;
+    }
+    if (steps == 0 && selectedNode != 0)
+    {
+        selectedNode = 0;
+        changes |= changedNode;
+    }
+    notify(changes);
+}
+
+void Controller::stepBy(int by)
+{
+    stepTo(steps + by);
+}
+
+void Controller::setPlaying(bool play)
+{
+    if (play == playing || happened.empty()) return;
+    playing = play;
+    // Playing begins at the beginning unless the user is on his way.
+    if (playing && isComplete()) stepTo(0);
+    notify(changedOptions);
+}
+
+void Controller::playOn()
+{
+    if (!playing) return;
+    stepBy(1);
+    if (isComplete()) setPlaying(false);
+}
+
 void Controller::setMaxDepth(int depth)
 {
     depth = std::clamp(depth, 0, deepestCap);
     if (depth == maxDepth()) return;
     session.scene.trace.maxDepth = depth;
-    image = session.lesson->render(session.scene, session.precision, session.render);
+    paintPicture();
     traceTree();
-    notify(changedPicture | changedTree | changedNode);
+}
+
+void Controller::paintPicture()
+{
+    if (!session.source.render) return;
+    painter.start([asked = session](const std::atomic<bool>& stop) {
+        RenderOptions options = asked.render;
+        options.progress = nullptr;
+        options.stop = &stop;
+        return asked.source.render(asked.scene, options);
+    });
+}
+
+bool Controller::poll()
+{
+    try
+    {
+        if (auto finished = painter.poll())
+        {
+            image = std::move(*finished);
+            pictureProblem.clear();
+            notify(changedPicture | changedMessage);
+        }
+    }
+    catch (const std::exception& error)
+    {
+        pictureProblem = error.what(); // the old picture stays
+        notify(changedMessage);
+    }
+    if (auto finished = tracer.poll())
+    {
+        take(std::move(*finished));
+        notify(changedTree | changedNode | changedStep | changedMessage);
+    }
+    return painter.isBusy() || tracer.isBusy();
+}
+
+void Controller::wait()
+{
+    do
+    {
+        painter.wait();
+        tracer.wait();
+    } while (poll());
+}
+
+void Controller::setWeakest(double throughput)
+{
+    throughput = std::clamp(throughput, 0.0, 1.0);
+    if (throughput == leastThroughput) return;
+    leastThroughput = throughput;
+    notify(changedOptions);
+}
+
+void Controller::toggle(Kind kind)
+{
+    shown[std::size_t(kind)] = !shown[std::size_t(kind)];
+    notify(changedOptions);
 }
 
 void Controller::toggleNormals()
@@ -87,6 +320,33 @@ void Controller::toggleHelp()
 {
     help = !help;
     notify(changedOptions);
+}
+
+void Controller::toggleLook()
+{
+    theme = theme == Look::dark ? Look::light : Look::dark;
+    notify(changedAll);
+}
+
+void Controller::toggleComparison()
+{
+    if (!canCompare()) return say("there is nothing to compare with: start the viewer with --compare");
+    showsOther = !showsOther;
+    notify(changedOptions | changedTree);
+}
+
+void Controller::selectDifference()
+{
+    if (!comparison() || !compared->first) return;
+    const auto& first = *compared->first;
+    if (first.expectedNode >= 0) selectNode(first.expectedNode);
+}
+
+void Controller::say(const std::string& message)
+{
+    if (message == said) return;
+    said = message;
+    notify(changedMessage);
 }
 
 void Controller::notify(unsigned what) const

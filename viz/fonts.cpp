@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include <vtkFreeTypeTools.h>
+
 namespace rt::viz
 {
 
@@ -30,6 +32,12 @@ const std::string& fontFile(Font font)
 void checkFonts()
 {
     fontFile(Font::sans);
+    // VTK 9.1 counts each colour and size of a font as a face of its own, keeps a few, and looks a forgotten one up in the text
+    // property that it was first seen in, which by then may hold another font: sans came out bold. So none is forgotten.
+    auto* tools = vtkFreeTypeTools::GetInstance();
+    tools->SetMaximumNumberOfFaces(4096);
+    tools->SetMaximumNumberOfSizes(4096);
+    tools->SetMaximumNumberOfBytes(8 << 20);
 }
 
 } // namespace rt::viz

@@ -16,7 +16,7 @@ enum class Font
 /// Its file. Throws std::runtime_error with one sentence if it is not installed.
 const std::string& fontFile(Font font);
 
-/// Throws if a font is missing: to be called before a window opens.
+/// Throws if a font is missing. To be called before anything is drawn: it also makes VTK keep all fonts.
 void checkFonts();
 
 } // namespace rt::viz

@@ -5,17 +5,38 @@
 namespace rt::viz
 {
 
-ImagePane::ImagePane(Controller& watched) : Pane(watched), picture(watched.picture())
+namespace
 {
-    renderer()->SetBackground(color::window.r / 255.0, color::window.g / 255.0, color::window.b / 255.0);
+
+/// A source without pictures has an empty frame, in which pixels can be chosen all the same.
+ScreenPicture shownPicture(const Controller& controller)
+{
+    const auto& camera = controller.scene().camera;
+    if (controller.picture().width > 0) return ScreenPicture(controller.picture());
+    Image frame(camera.width, camera.height);
+    const auto& grey = color::panelRaised;
+    for (auto& pixel : frame.pixels) pixel = {fromSrgb8(grey.r), fromSrgb8(grey.g), fromSrgb8(grey.b)};
+    return ScreenPicture(frame);
+}
+
+} // namespace
+
+ImagePane::ImagePane(Controller& watched) : Pane(watched), picture(shownPicture(watched))
+{
+    dress();
+}
+
+void ImagePane::dress()
+{
+    setBackground(color::window);
 }
 
 bool ImagePane::update(unsigned changes)
 {
     if (changes & changedPicture)
     {
-        picture = ScreenPicture(controller.picture());
-        resample();
+        picture = shownPicture(controller);
+        if (isPlaced()) placed();
     }
     return changes & (changedPicture | changedTree);
 }

@@ -12,6 +12,7 @@ class ImagePane : public Pane
 public:
     explicit ImagePane(Controller& watched);
     bool update(unsigned changes) override;
+    void dress() override;
     bool click(int x, int y) override;
     bool drag(int dx, int dy) override;
     bool wheel(int x, int y, bool forward) override;

@@ -10,23 +10,10 @@
 namespace rt::viz
 {
 
-namespace
-{
-
-Rgba kindColor(RayKind kind)
-{
-    return colorOf(kind == RayKind::camera      ? RayRole::camera
-                   : kind == RayKind::reflected ? RayRole::reflected
-                                                : RayRole::transmitted);
-}
-
-} // namespace
-
 bool NumbersPane::update(unsigned changes)
 {
-    if (!(changes & (changedTree | changedNode | changedPicture))) return false;
-    scrolled = 0;
-    return true;
+    if (changes & (changedTree | changedNode)) scrolled = 0;
+    return changes & (changedTree | changedNode | changedStep | changedHover) || changes == changedAll;
 }
 
 bool NumbersPane::click(int x, int y)
@@ -34,6 +21,18 @@ bool NumbersPane::click(int x, int y)
     for (const auto& [box, node] : chips)
         if (x >= box.x && y >= box.y && x < box.x + box.width && y < box.y + box.height) controller.selectNode(node);
     return false;
+}
+
+void NumbersPane::hover(int x, int y)
+{
+    for (const auto& [box, node] : chips)
+        if (x >= box.x && y >= box.y && x < box.x + box.width && y < box.y + box.height) return controller.hover(node);
+    controller.hover(-1);
+}
+
+void NumbersPane::leave()
+{
+    controller.hover(-1);
 }
 
 bool NumbersPane::wheel(int, int, bool forward)
@@ -60,9 +59,13 @@ double NumbersPane::paintChips(Canvas& canvas, double top)
     for (int id = first; id < last; ++id)
     {
         const bool chosen = id == controller.selected();
-        const Rgba kind = kindColor(nodes[std::size_t(id)].kind);
+        const Rgba kind = colorOf(rayRole(nodes[std::size_t(id)].kind));
         const Box box{x, y - height / 2, width, height};
-        canvas.roundedBox(box, canvas.px(5), chosen ? kind : color::panelRaised);
+        const bool isHovered = id == controller.hovered();
+        canvas.roundedBox(box, canvas.px(5),
+                          chosen      ? kind
+                          : isHovered ? mix(color::panelRaised, color::text, 0.2)
+                                      : color::panelRaised);
         if (!chosen) canvas.fill({x + canvas.px(5), box.y + canvas.px(2), width - canvas.px(10), canvas.px(2)}, kind);
         const auto number = std::to_string(id);
         const TextLook ink{Font::bold, 12, chosen ? color::dark : color::text};
@@ -79,15 +82,28 @@ void NumbersPane::paintHeading(Canvas& canvas, double top)
     const auto* node = controller.node();
     if (!node) return;
     const double pad = canvas.px(16), y = top - canvas.px(11);
-    const TextLook look{Font::bold, 15, kindColor(node->kind)}, value{Font::mono, 12.5, color::textDim};
+    const TextLook look{Font::bold, 15, colorOf(rayRole(node->kind))}, value{Font::mono, 12.5, color::textDim};
     const double swatch = canvas.px(15);
     const auto brings = shortText(node->radiance);
     const double right = area.width - pad - swatch;
+    const auto heading = nodeHeading(controller.tree(), *node);
+    // While stepping nobody knows yet what it will bring.
+    if (!controller.hasReturned(node->id))
+    {
+        const double end = pad + canvas.textWithin(pad, y, area.width - 2 * pad, heading, look) + canvas.px(12);
+        const TextLook dim{Font::sans, 12.5, color::textDim};
+        for (const char* said : {"has not returned yet", "not yet back"})
+            if (end + canvas.textWidth(said, dim) < area.width - pad)
+            {
+                canvas.text(end, y, said, dim);
+                break;
+            }
+        return;
+    }
     canvas.roundedBox({right, y - swatch / 2, swatch, swatch}, canvas.px(3),
                       {toSrgb8(node->radiance.x), toSrgb8(node->radiance.y), toSrgb8(node->radiance.z)});
     const double start = right - canvas.px(8) - canvas.textWidth(brings, value);
-    const auto heading = nodeHeading(controller.tree(), *node);
-    const double end = pad + canvas.text(pad, y, heading, look);
+    const double end = pad + canvas.textWithin(pad, y, right - pad - canvas.px(8), heading, look);
     if (end + canvas.px(12) < start) canvas.text(start, y, brings, value);
 }
 
@@ -110,7 +126,7 @@ void NumbersPane::paint(Canvas& canvas)
         if (line.style == TextStyle::title) y -= titleGap;
         const double middle = y - lineHeight / 2;
         y -= lineHeight;
-        if (middle > area.height - head + lineHeight || middle < -lineHeight) continue;
+        if (middle > area.height - head + lineHeight || middle < 0.4 * lineHeight) continue;
         switch (line.style)
         {
         case TextStyle::title:

@@ -12,6 +12,8 @@ public:
     using Pane::Pane;
     bool update(unsigned changes) override;
     bool click(int x, int y) override;
+    void hover(int x, int y) override;
+    void leave() override;
     bool wheel(int x, int y, bool forward) override;
 
 private:

@@ -1,8 +1,8 @@
 // Colours of the viewer. The colours of rays keep apart for colour-blind eyes too (after Okabe and Ito, "Color Universal
-// Design"); a test simulates the three kinds of dichromacy.
+// Design"); a test simulates the three kinds of dichromacy, in both looks.
 #pragma once
 
-#include "common/vec.h"
+#include "common/ray.h"
 
 namespace rt::viz
 {
@@ -33,8 +33,16 @@ enum class RayRole
     reaches, ///< a shadow ray that reaches its light
     blocked, ///< a shadow ray, up to what is in its way
     beyond,  ///< the rest of it, which no light travels
-    normal
+    normal,
+    other ///< a ray of the tree that this one is compared with; dashed
 };
+
+constexpr RayRole rayRole(RayKind kind)
+{
+    return kind == RayKind::camera      ? RayRole::camera
+           : kind == RayKind::reflected ? RayRole::reflected
+                                        : RayRole::transmitted;
+}
 
 constexpr bool isRay(RayRole role)
 {
@@ -46,40 +54,58 @@ constexpr bool isShadow(RayRole role)
     return role == RayRole::reaches || role == RayRole::blocked || role == RayRole::beyond;
 }
 
-constexpr Rgba colorOf(RayRole role)
+enum class Look; // dark or light: viz/controller.h
+
+/// All colours that do not stand for a ray.
+struct Theme
 {
-    switch (role)
-    {
-    case RayRole::camera:
-        return {86, 180, 233};
-    case RayRole::reflected:
-        return {245, 159, 20};
-    case RayRole::transmitted:
-        return {32, 166, 76};
-    case RayRole::reaches:
-        return {246, 233, 98};
-    case RayRole::blocked:
-    case RayRole::beyond:
-        return {222, 110, 178};
-    case RayRole::normal:
-        break;
-    }
-    return {226, 232, 240};
-}
+    Rgba window;      ///< behind everything
+    Rgba panel;       ///< panes with text
+    Rgba panelRaised; ///< chips and key caps
+    Rgba line;        ///< between panes
+    Rgba skyLow;      ///< background of the 3D view
+    Rgba skyHigh;
+    Rgba text;
+    Rgba textDim;
+    Rgba textFaint;
+    Rgba accent; ///< headings, what is pressed
+    Rgba dark;   ///< ink on what is coloured, and plates beneath text; white in the light look
+    Rgba warning;
+    Rgba lit;                             ///< beneath the current line
+    Rgba keyword, type, literal, comment; ///< of source text
+};
+
+const Theme& themeOf(Look look);
+/// Legible on the panels of that look.
+Rgba colorOf(RayRole role, Look look);
+
+/// From now on `color` and colorOf(role) give this look's. What is already drawn stays: call it before painting.
+void useLook(Look look);
+Rgba colorOf(RayRole role);
 
 namespace color
 {
-inline constexpr Rgba window{13, 17, 23};      // behind everything
-inline constexpr Rgba panel{20, 26, 35};       // panes with text
-inline constexpr Rgba panelRaised{31, 40, 53}; // chips and key caps
-inline constexpr Rgba line{44, 55, 71};        // between panes
-inline constexpr Rgba skyLow{19, 25, 34};      // background of the 3D view
-inline constexpr Rgba skyHigh{38, 50, 68};
-inline constexpr Rgba text{226, 232, 240};
-inline constexpr Rgba textDim{148, 163, 184};
-inline constexpr Rgba textFaint{100, 116, 139};
-inline constexpr Rgba accent{125, 211, 252};
-inline constexpr Rgba dark{10, 14, 20};
+namespace current
+{
+extern Theme theme;
+}
+inline const Rgba& window = current::theme.window;
+inline const Rgba& panel = current::theme.panel;
+inline const Rgba& panelRaised = current::theme.panelRaised;
+inline const Rgba& line = current::theme.line;
+inline const Rgba& skyLow = current::theme.skyLow;
+inline const Rgba& skyHigh = current::theme.skyHigh;
+inline const Rgba& text = current::theme.text;
+inline const Rgba& textDim = current::theme.textDim;
+inline const Rgba& textFaint = current::theme.textFaint;
+inline const Rgba& accent = current::theme.accent;
+inline const Rgba& dark = current::theme.dark;
+inline const Rgba& warning = current::theme.warning;
+inline const Rgba& lit = current::theme.lit;
+inline const Rgba& keyword = current::theme.keyword;
+inline const Rgba& type = current::theme.type;
+inline const Rgba& literal = current::theme.literal;
+inline const Rgba& comment = current::theme.comment;
 } // namespace color
 
 } // namespace rt::viz

@@ -38,7 +38,17 @@ Pane::Pane(Controller& watched) : controller(watched)
     };
     overlay->GetScene()->AddItem(item);
     view->AddActor(overlay);
-    view->SetBackground(color::panel.r / 255.0, color::panel.g / 255.0, color::panel.b / 255.0);
+    setBackground(color::panel);
+}
+
+void Pane::setBackground(const Rgba& background)
+{
+    view->SetBackground(background.r / 255.0, background.g / 255.0, background.b / 255.0);
+}
+
+void Pane::dress()
+{
+    setBackground(color::panel);
 }
 
 void Pane::paintIn(vtkRenderer* other)
@@ -51,6 +61,7 @@ void Pane::place(const Rect& rect, int windowWidth, int windowHeight, double con
 {
     area = rect;
     scale = contentScale;
+    if (rect.isEmpty()) return;
     for (auto* part : renderers())
         part->SetViewport(double(rect.x) / windowWidth, double(rect.y) / windowHeight,
                           double(rect.x + rect.width) / windowWidth, double(rect.y + rect.height) / windowHeight);

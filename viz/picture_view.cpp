@@ -44,6 +44,7 @@ Rgba mean(const ScreenPicture& picture, double x0, double y0, double x1, double 
 
 ScreenPicture ScreenPicture::reduced(int side) const
 {
+    if (pixels.empty()) return *this;
     const double factor = std::max(1.0, double(std::max(width, height)) / side);
     ScreenPicture small(std::max(1, int(width / factor)), std::max(1, int(height / factor)));
     for (int y = 0; y < small.height; ++y)

@@ -19,6 +19,7 @@ struct Builder
     {
         const double widest = style.width * tubeRadius(drawing);
         if (segment.role == RayRole::normal) return 0.4 * widest;
+        if (segment.role == RayRole::other) return 0.7 * widest;
         if (isShadow(segment.role)) return (segment.role == RayRole::beyond ? 0.26 : 0.34) * widest;
         return widest * (0.45 + 0.55 * std::sqrt(segment.weight));
     }
@@ -84,7 +85,8 @@ struct Builder
         const bool stepsBack = drawing.nodes > crowded && isShadow(segment.role) && segment.node != style.selected;
         if (stepsBack) color = color.withAlpha(0.4);
         Mesh& target = stepsBack ? mesh.fading : mesh.solid;
-        if (segment.role == RayRole::beyond) return addDashes(target, segment, radius, color);
+        if (segment.role == RayRole::beyond || segment.role == RayRole::other)
+            return addDashes(target, segment, radius, color);
         if (segment.fades)
         {
             // Opaque for the first part, so that a long ray is not pale as a whole.

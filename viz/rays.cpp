@@ -77,12 +77,18 @@ struct Drawer
              .to = node.hit->point + std::clamp(0.5 * size, 0.09 * objects.radius, 0.22 * objects.radius) * N});
     }
 
-    void addShadow(const RayTree::Shadow& shadow)
+    void addShadow(int index)
     {
+        const auto& shadow = tree.shadows[std::size_t(index)];
         const auto& node = tree.nodes[std::size_t(shadow.node)];
         if (!node.hit) return;
         const vec3 I = node.hit->point, light = I + shadow.distance * shadow.direction;
-        Segment segment{.role = RayRole::reaches, .node = shadow.node, .light = shadow.light, .from = I, .to = light};
+        Segment segment{.role = RayRole::reaches,
+                        .node = shadow.node,
+                        .light = shadow.light,
+                        .shadow = index,
+                        .from = I,
+                        .to = light};
         segment.weight = std::clamp(largestChannel(node.throughput), 0.0, 1.0);
         if (!shadow.visible)
         {
@@ -92,7 +98,7 @@ struct Drawer
             segment.role = RayRole::blocked;
             segment.to = end;
             add(segment);
-            if (shadow.blocker) drawing.blockers.push_back({shadow.node, shadow.light, end});
+            if (shadow.blocker) drawing.blockers.push_back({shadow.node, shadow.light, index, end});
             segment.role = RayRole::beyond;
             segment.from = end;
             segment.to = light;
@@ -100,12 +106,14 @@ struct Drawer
         add(segment);
     }
 
-    void addCapped(const RayTree::Capped& capped)
+    void addCapped(int index)
     {
+        const auto& capped = tree.capped[std::size_t(index)];
         const auto& node = tree.nodes[std::size_t(capped.node)];
         if (!node.hit || capped.weight == 0) return;
         add({.role = roleOf(capped.kind),
              .node = capped.node,
+             .capped = index,
              .from = node.hit->point,
              .to = node.hit->point + 0.3 * objects.radius * unit(capped.direction),
              .weight = 0.5 * std::clamp(largestChannel(node.throughput) * capped.weight, 0.0, 1.0),
@@ -133,10 +141,10 @@ RayDrawing drawRays(const RayTree& tree, const SceneDescription& scene, const Ex
         drawer.addRay(node);
         if (node.hit) drawer.addNormal(node);
     }
-    for (const auto& shadow : tree.shadows)
-        if (drawn(shadow.node)) drawer.addShadow(shadow);
-    for (const auto& capped : tree.capped)
-        if (drawn(capped.node)) drawer.addCapped(capped);
+    for (std::size_t i = 0; i < tree.shadows.size(); ++i)
+        if (drawn(tree.shadows[i].node)) drawer.addShadow(int(i));
+    for (std::size_t i = 0; i < tree.capped.size(); ++i)
+        if (drawn(tree.capped[i].node)) drawer.addCapped(int(i));
     return drawer.drawing;
 }
 
@@ -170,6 +178,7 @@ std::string subscript(int number)
 
 std::string labelOf(const Segment& segment)
 {
+    if (segment.role == RayRole::other) return segment.name;
     const char* letter = "L";
     if (segment.role == RayRole::camera) letter = "D";
     if (segment.role == RayRole::reflected) letter = "R";

@@ -13,11 +13,14 @@ struct Segment
     RayRole role = RayRole::camera;
     int node = 0;   ///< the ray itself, or the node at whose hit point a shadow ray or a normal starts
     int light = -1; ///< of shadow rays
+    int shadow = -1; ///< index of the shadow ray in its tree
+    int capped = -1; ///< index of the ray that was not followed
     vec3 from{0, 0, 0}, to{0, 0, 0};
     double weight = 1;       ///< largest channel of the throughput, in [0, 1]
     bool hasHead = true;     ///< an arrow head at `to`
     bool fades = false;      ///< it goes on beyond `to`, further than is drawn
     End stopped = End::none; ///< why it was not traced: only its beginning is drawn
+    std::string name{};      ///< of a ray of another tree; all else is named by its role and node
 
     bool notTraced() const { return stopped != End::none; }
     double length() const { return glm::length(to - from); }
@@ -28,6 +31,7 @@ struct BlockerMark
 {
     int node = 0;
     int light = -1;
+    int shadow = -1;
     vec3 point{0, 0, 0};
 };
 

@@ -48,9 +48,9 @@ double drawSample(Canvas& canvas, double x, double y, RayRole role)
     return tip;
 }
 
-bool models(const LessonEntry& lesson, Feature feature)
+bool has(const FeatureSet& models, Feature feature)
 {
-    return std::find(lesson.models.begin(), lesson.models.end(), feature) != lesson.models.end();
+    return std::find(models.begin(), models.end(), feature) != models.end();
 }
 
 /// The kinds that this lesson has taught. Returns what it covers.
@@ -61,13 +61,14 @@ Box drawLegend(Canvas& canvas, const OverlayInput& input)
         RayRole role;
         const char* text;
     };
-    const auto& lesson = input.controller.lesson();
+    const auto& models = input.controller.source().models;
     std::vector<Entry> entries{{RayRole::camera, "camera ray"}};
-    if (models(lesson, Feature::mirror) || models(lesson, Feature::fresnel))
+    if (has(models, Feature::mirror) || has(models, Feature::fresnel))
         entries.push_back({RayRole::reflected, "reflected"});
-    if (models(lesson, Feature::refraction)) entries.push_back({RayRole::transmitted, "transmitted"});
+    if (has(models, Feature::refraction)) entries.push_back({RayRole::transmitted, "transmitted"});
     entries.push_back({RayRole::reaches, "shadow ray, light reached"});
     entries.push_back({RayRole::blocked, "blocked"});
+    if (input.controller.comparison()) entries.push_back({RayRole::other, "the other tree's"});
     if (input.controller.showsNormals()) entries.push_back({RayRole::normal, "normal"});
 
     const TextLook look{Font::sans, 12.5, color::textDim};

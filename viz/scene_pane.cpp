@@ -14,6 +14,7 @@
 #include "viz/picture_view.h"
 #include "viz/ray_mesh.h"
 #include "viz/scene_overlay.h"
+#include "viz/shown_rays.h"
 
 namespace rt::viz
 {
@@ -57,8 +58,7 @@ ScenePane::ScenePane(Controller& watched) : Pane(watched), objects(objectExtent(
 {
     auto* view = renderer();
     view->GradientBackgroundOn();
-    view->SetBackground(color::skyLow.r / 255.0, color::skyLow.g / 255.0, color::skyLow.b / 255.0);
-    view->SetBackground2(color::skyHigh.r / 255.0, color::skyHigh.g / 255.0, color::skyHigh.b / 255.0);
+    dress();
     view->SetUseFXAA(true);
 
     screen = imagePlane(controller.scene().camera, objects);
@@ -204,12 +204,16 @@ void ScenePane::buildFront()
 void ScenePane::updatePicture()
 {
     const auto reduced = ScreenPicture(controller.picture()).reduced(planePicture);
+    picture->SetVisibility(!reduced.pixels.empty()); // another tracer may trace, but not paint
+    if (reduced.pixels.empty()) return;
     setPicture(picture, reduced.pixels, reduced.width, reduced.height);
 }
 
 void ScenePane::rebuildRays()
 {
-    const auto mesh = buildRayMesh(drawing, {.selected = drawing.nodes > 1 ? controller.selected() : -1,
+    shown = shownPart(drawing, controller);
+    for (auto& segment : otherRays(controller, objects)) shown.segments.push_back(std::move(segment));
+    const auto mesh = buildRayMesh(shown, {.selected = drawing.nodes > 1 ? controller.selected() : -1,
                                              .withNormals = controller.showsNormals(),
                                              .width = lineWidth});
     setMesh(solidRays, mesh.solid);
@@ -238,10 +242,17 @@ void ScenePane::rebuildChosenPixel()
     setMesh(chosenPixel, square);
 }
 
+void ScenePane::dress()
+{
+    setBackground(color::skyLow);
+    renderer()->SetBackground2(color::skyHigh.r / 255.0, color::skyHigh.g / 255.0, color::skyHigh.b / 255.0);
+}
+
 bool ScenePane::update(unsigned changes)
 {
     if (changes & changedPicture) updatePicture();
     if (changes & changedTree) drawing = drawRays(controller.tree(), controller.scene(), objects);
+    if (!(changes & ~(changedPicture | changedHover | changedMessage))) return (changes & changedPicture) != 0;
     rebuildRays();
     renderer()->ResetCameraClippingRange();
     return true;
@@ -318,14 +329,14 @@ void ScenePane::setMoving(bool moving)
 bool ScenePane::click(int x, int y)
 {
     const Projector projector(view(), area.width, area.height);
-    const int found = pickSegment(drawing, projector, {x + 0.5, y + 0.5}, 10 * scale);
-    if (found >= 0) controller.selectNode(drawing.segments[std::size_t(found)].node);
+    const int found = pickSegment(shown, projector, {x + 0.5, y + 0.5}, 10 * scale);
+    if (found >= 0) controller.selectNode(shown.segments[std::size_t(found)].node);
     return false;
 }
 
 void ScenePane::paint(Canvas& canvas)
 {
-    paintSceneOverlay(canvas, {controller, drawing, objects, view(), area.width, area.height});
+    paintSceneOverlay(canvas, {controller, shown, objects, view(), area.width, area.height});
 }
 
 } // namespace rt::viz

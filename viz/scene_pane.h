@@ -17,6 +17,7 @@ class ScenePane : public Pane
 public:
     explicit ScenePane(Controller& watched);
     bool update(unsigned changes) override;
+    void dress() override;
     bool click(int x, int y) override;
     bool wheel(int x, int y, bool forward) override;
 
@@ -32,7 +33,8 @@ public:
 private:
     Extent objects;
     double lineWidth = 1; // factor; less than 1 when the viewer is near, more when he is far away
-    RayDrawing drawing;
+    RayDrawing drawing; // of the whole tree
+    RayDrawing shown;   // of the part that is to be seen now
     ImagePlane screen;
     vtkNew<vtkRenderer> front; // what shines through whatever hides it, and the labels
     vtkSmartPointer<vtkActor> solidRays, fadingRays, glow, hiddenRays, frustum, picture, chosenPixel;

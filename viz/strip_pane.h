@@ -1,7 +1,8 @@
-// The line at the bottom: what the keys do.
+// The strip at the bottom: stepping, sliders, what is shown, and what the keys do.
 #pragma once
 
 #include "viz/pane.h"
+#include "viz/slider.h"
 
 namespace rt::viz
 {
@@ -11,9 +12,51 @@ class StripPane : public Pane
 public:
     using Pane::Pane;
     bool update(unsigned changes) override;
+    bool press(int x, int y) override;
+    bool drag(int dx, int dy) override;
+    void release() override;
+    bool click(int x, int y) override;
+    void hover(int x, int y) override;
+    void leave() override;
+
+    /// The digits typed so far, to go to a ray by its number; empty: nobody types.
+    std::optional<std::string> typed;
 
 private:
+    /// Something to click.
+    struct Spot
+    {
+        Box box;
+        std::function<void()> act;
+        std::string hint; ///< what it does, shown while the pointer is over it
+    };
+    enum Role
+    {
+        stepSlider,
+        depthSlider,
+        weakSlider,
+        sliders
+    };
+
+    std::vector<Spot> spots;
+    Slider tracks[sliders];
+    Box grips[sliders]; ///< where a press takes hold of the slider
+    int held = -1, hot = -1, hotSlider = -1;
+    double heldX = 0;
+    int deepestCap = 0; ///< right end of the depth slider: never shrinks, or the knob would run away
+
     void paint(Canvas& canvas) override;
+    double paintButtons(Canvas& canvas, double x, double y);
+    void paintSlider(Canvas& canvas, Role role, const Box& place, const std::string& label, const std::string& value,
+                     double position);
+    double paintChips(Canvas& canvas, double x, double y);
+    void paintKeys(Canvas& canvas, double x, double y);
+    bool paintLine(Canvas& canvas, double x, double y);
+    void set(int slider, double x);
+    bool isHot(const Box& box) const;
+    void addSpot(const Box& box, const std::string& hint, std::function<void()> act);
+
+    double pointerX = -1, pointerY = -1;
 };
 
 struct KeyHelp

@@ -28,7 +28,8 @@ void Style::OnLeftButtonDown()
     lastX = pressedX;
     lastY = pressedY;
     pressed = true;
-    dragging = false;
+    held = window->press(pressedX, pressedY);
+    dragging = held;
 }
 
 void Style::OnMouseMove()
@@ -52,6 +53,8 @@ void Style::OnMouseMove()
         Superclass::OnMouseMove();
     else if (dragging)
         window->drag(pressedX, pressedY, x - lastX, y - lastY);
+    else if (!pressed)
+        window->hover(x, y);
     lastX = x;
     lastY = y;
 }
@@ -65,6 +68,8 @@ void Style::OnLeftButtonUp()
 void Style::endMotion()
 {
     pressed = dragging = false;
+    if (held) window->release();
+    held = false;
     switch (this->State)
     {
     case VTKIS_ROTATE:
@@ -136,6 +141,11 @@ void Style::OnKeyPress()
     this->Interactor->GetEventPosition(x, y);
     const char* key = this->Interactor->GetKeySym();
     window->key(key ? key : "", this->Interactor->GetShiftKey() != 0, x, y);
+}
+
+void Style::OnTimer()
+{
+    window->tick();
 }
 
 } // namespace rt::viz

@@ -31,11 +31,12 @@ public:
     void OnKeyUp() override {}
     void OnChar() override {}
     // The default moves the camera on every timer event, whoever asked for the timer.
-    void OnTimer() override {}
+    void OnTimer() override;
 
 private:
     int pressedX = 0, pressedY = 0, lastX = 0, lastY = 0;
     bool pressed = false, dragging = false;
+    bool held = false; // the pane took the press: no click follows
 
     bool onScene();
     void endMotion();

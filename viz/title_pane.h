@@ -14,6 +14,7 @@ public:
 
 private:
     void paint(Canvas& canvas) override;
+    void paintComparison(Canvas& canvas, double height);
 };
 
 } // namespace rt::viz

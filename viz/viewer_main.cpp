@@ -2,15 +2,22 @@
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <iostream>
+#include <memory>
 
 #include <fmt/format.h>
 
 #include "common/cli.h"
 #include "common/image.h"
+#include "common/scene_file.h"
 #include "lessons/registry.h"
+#include "viz/choose_source.h"
 #include "viz/display.h"
+#include "viz/export.h"
 #include "viz/fonts.h"
+#include "viz/script.h"
+#include "viz/tracer_source.h"
 #include "viz/window.h"
 
 namespace rt::viz
@@ -25,9 +32,13 @@ constexpr int startLesson = 6;
 struct ViewerOptions : TraceOptions
 {
     std::string lesson; ///< its number; empty: the smallest that is sufficient
-    std::string screenshot;
+    std::string screenshot, exportTo, script, tracer, compare, record, play;
     std::string windowSize = "1600x900";
+    std::string look = "dark";
     bool force = false;
+
+    /// Files are all that is wanted: no window to use.
+    bool isHeadless() const { return !screenshot.empty() || !exportTo.empty() || !script.empty(); }
 };
 
 const LessonEntry& lessonOf(const std::string& text)
@@ -52,58 +63,190 @@ std::array<int, 2> windowSize(const std::string& text)
                                fmt::format("expected WxH from 640x400 to 8192x8192, got \"{}\"", text));
 }
 
-Session chooseSession(ViewerOptions options)
+/// The scene of a tree from a file: the one that it names, if that can be read, or just a camera that looks along its ray.
+SceneDescription sceneOf(const RayTree& tree, std::string& problem)
 {
+    for (const auto& file : {tree.scene, projectFile(tree.scene)})
+        if (!tree.scene.empty() && std::filesystem::is_regular_file(file))
+        {
+            try
+            {
+                return loadScene(file);
+            }
+            catch (const std::exception& error)
+            {
+                problem = error.what();
+            }
+        }
+    if (problem.empty())
+        problem = tree.scene.empty() ? "the tree names no scene: only its rays are shown"
+                                     : fmt::format("the tree's scene {} is not there: only its rays are shown", tree.scene);
+    SceneDescription scene;
+    if (!tree.nodes.empty() && isFinite(tree.nodes[0].origin) && isFinite(tree.nodes[0].direction))
+    {
+        scene.camera.eye = tree.nodes[0].origin;
+        scene.camera.target = scene.camera.eye + tree.nodes[0].direction;
+        if (glm::length(cross(tree.nodes[0].direction, scene.camera.up)) < 1e-3 * glm::length(tree.nodes[0].direction))
+            scene.camera.up = {0, 0, 1};
+    }
+    return scene;
+}
+
+Session sessionOfFile(const ViewerOptions& options, std::string& problem)
+{
+    Session session;
+    RayTree tree;
+    try
+    {
+        tree = rayTreeFromJson(readTextFile(options.scene));
+    }
+    catch (const std::exception& error)
+    {
+        const std::string said = error.what();
+        throw std::runtime_error(said.starts_with(options.scene) ? said : options.scene + ": " + said);
+    }
+    session.scene = sceneOf(tree, problem);
+    session.scene.trace.maxDepth = tree.maxDepth;
+    if (tree.pixel)
+    {
+        auto& camera = session.scene.camera;
+        // What a stranger's file says may lie outside the picture.
+        session.probe = std::array{std::clamp((*tree.pixel)[0], 0, camera.width - 1),
+                                   std::clamp((*tree.pixel)[1], 0, camera.height - 1)};
+    }
+    else if (!tree.nodes.empty())
+        session.probe = GivenRay{tree.nodes[0].origin, tree.nodes[0].direction};
+    session.source = fileSource(tree, options.scene);
+    return session;
+}
+
+Session chooseSession(ViewerOptions options, std::string& problem)
+{
+    if (options.scene.ends_with(".json"))
+    {
+        if (!options.tracer.empty() || !options.compare.empty())
+            throw CLI::ValidationError(options.compare.empty() ? "--tracer" : "--compare",
+                                       "expected a scene, not the file of a ray tree");
+        return sessionOfFile(options, problem);
+    }
     const LessonEntry* lesson = options.lesson.empty() ? nullptr : &lessonOf(options.lesson);
     if (!lesson && options.scene.empty()) lesson = startLesson ? findLesson(startLesson) : lessons().back();
     if (options.scene.empty()) options.scene = projectFile(lesson->scene);
     Session session;
     session.scene = loadScene(options);
-    session.precision = options.precision();
     if (!lesson)
     {
         lesson = smallestLesson(session.scene);
-        if (lesson)
+        if (lesson && options.tracer.empty())
             std::cerr << fmt::format("lesson {:02} ({}) models all that {} requires\n", lesson->number, lesson->title,
                                      session.scene.file);
-        else
-            lesson = lessons().back();
+        if (!lesson) lesson = lessons().back();
     }
-    checkModels(*lesson, session.scene, options.force);
-    session.lesson = lesson;
     session.render.spp = options.spp;
     session.render.threads = options.threads;
-    session.render.progress = progressBar(fmt::format("lesson {:02}", lesson->number));
+    if (options.tracer.empty())
+    {
+        checkModels(*lesson, session.scene, options.force);
+        session.source = lessonSource(*lesson, options.precision());
+        session.render.progress = progressBar(fmt::format("lesson {:02}", lesson->number));
+    }
+    else
+        session.source = tracerSource(options.tracer);
+    if (!options.compare.empty()) compareWith(session, options.compare, *lesson, options.precision());
     session.probe = probe(options, session.scene);
     return session;
+}
+
+void exportAndTell(const std::string& path, Controller& controller)
+{
+    const auto files = exportTo(path, controller);
+    std::string list;
+    for (const auto& file : files) list += (list.empty() ? "" : ", ") + file;
+    std::cerr << list << ": written\n";
+    controller.say(list + ": written");
+}
+
+/// A window that is made when it is first needed: exports and states need none.
+class LateWindow
+{
+public:
+    LateWindow(Controller& shown, int windowWidth, int windowHeight, bool isOnScreen)
+        : controller(shown), width(windowWidth), height(windowHeight), onScreen(isOnScreen)
+    {
+    }
+
+    Window& operator()()
+    {
+        if (window) return *window;
+        checkFonts();
+        window = std::make_unique<Window>(controller, width, height, onScreen);
+        window->exportAll = [this] { exportAndTell("raytree-export", controller); };
+        return *window;
+    }
+
+private:
+    Controller& controller;
+    int width, height;
+    bool onScreen;
+    std::unique_ptr<Window> window;
+};
+
+ScriptHost scriptHost(Controller& controller, LateWindow& window, int height)
+{
+    ScriptHost host{.controller = controller};
+    host.exportTo = [&](const std::string& path) { exportAndTell(path, controller); };
+    host.shot = [&](const std::string& file) { writeImage(window().picture(), file); };
+    host.key = [&](const std::string& key) { window().press(key); };
+    host.click = [&, height](int x, int y) { window().click(x, height - 1 - y); };
+    host.drag = [&, height](int fromX, int fromY, int toX, int toY) {
+        window().dragFrom(fromX, height - 1 - fromY, toX, height - 1 - toY);
+    };
+    host.hover = [&, height](int x, int y) { window().hover(x, height - 1 - y); };
+    host.wheel = [&, height](int x, int y, bool forward) { window().wheel(x, height - 1 - y, forward); };
+    return host;
 }
 
 int view(const ViewerOptions& options, char** argv)
 {
     const auto [width, height] = windowSize(options.windowSize);
-    const bool toFile = !options.screenshot.empty();
-    if (toFile) checkWritable(options.screenshot);
-    const bool display = hasDisplay();
-    if (toFile && !display) restartWithDisplay(argv, width, height);
+    if (!options.screenshot.empty()) checkWritable(options.screenshot);
+    if (!options.exportTo.empty()) checkExport(options.exportTo);
+    const bool isFile = options.script.find_first_of(";\n") == std::string::npos &&
+                        std::filesystem::is_regular_file(options.script);
+    const auto commands = parseScript(isFile ? readTextFile(options.script) : options.script);
 
-    Session session = chooseSession(options);
-    if (!display)
+    const bool drawn = !options.screenshot.empty() || !options.play.empty() || needsWindow(commands);
+    const bool display = (drawn || !options.isHeadless()) && hasDisplay();
+    if (drawn && options.isHeadless() && !display) restartWithDisplay(argv, width, height);
+
+    std::string problem;
+    Session session = chooseSession(options, problem);
+    if (!display && (drawn || !options.isHeadless()))
     {
-        std::cerr << (toFile
-                          ? "viewer: a screenshot needs a display or the program xvfb-run (Debian's package is xvfb)\n"
-                          : "viewer: there is no display to open a window on; --screenshot FILE.png needs none\n");
+        std::cerr << (drawn ? "viewer: a picture of the window needs a display or the program xvfb-run (Debian's package is "
+                              "xvfb)\n"
+                            : "viewer: there is no display to open a window on; --screenshot FILE.png, --export FOLDER "
+                              "and --script need none\n");
         return exitNoDisplay;
     }
-    checkFonts();
     Controller controller(std::move(session));
-    Window window(controller, width, height, !toFile);
-    if (!toFile)
+    if (options.isHeadless()) controller.wait();
+    if (!problem.empty()) controller.say(problem);
+    if (options.isHeadless() && controller.tree().nodes.empty() && !controller.message().empty())
+        throw std::runtime_error(controller.message());
+    if (options.look == "light") controller.toggleLook();
+
+    // Replayed events need a window that can be clicked.
+    LateWindow window(controller, width, height, !options.isHeadless() || !options.play.empty());
+    if (!options.play.empty()) window().replay(options.play);
+    runScript(commands, scriptHost(controller, window, height));
+    if (!options.exportTo.empty()) exportAndTell(options.exportTo, controller);
+    if (!options.screenshot.empty())
     {
-        window.run();
-        return exitDone;
+        writeImage(window().picture(), options.screenshot);
+        std::cerr << fmt::format("{}: {}x{} pixels\n", options.screenshot, width, height);
     }
-    writeImage(window.picture(), options.screenshot);
-    std::cerr << fmt::format("{}: {}x{} pixels\n", options.screenshot, width, height);
+    if (!options.isHeadless()) window().run(options.record);
     return exitDone;
 }
 
@@ -127,12 +270,37 @@ int viewerMain(int argc, char** argv)
     app.add_option("--size-window", options.windowSize, "size of the window in pixels")
         ->type_name("WxH")
         ->capture_default_str();
+    app.add_option("--export", options.exportTo,
+                   "write the ray tree as .json, .vtp, .glb, .gltf or .html, or all of them into a folder, and exit")
+        ->type_name("PATH");
+    app.add_option("--tracer", options.tracer,
+                   "show what this program traces: it is called with the scene and --tree json or --out FILE")
+        ->type_name("CMD");
+    app.add_option("--compare", options.compare,
+                   "a second tree over the first: exercise, exact, schlick, float, double, long-double, depth=N, "
+                   "lesson=N, a ray tree's .json file, or a program")
+        ->type_name("WHAT");
+    app.add_option("--script", options.script, "commands to run, or a file of them, and exit; see below")
+        ->type_name("TEXT|FILE");
+    app.add_option("--record", options.record, "write what is done in the window to a file")->type_name("FILE");
+    app.add_option("--play", options.play, "do in the window what was recorded; needs the same --size-window")
+        ->type_name("FILE");
+    app.add_option("--look", options.look, "colours of the window")
+        ->check(CLI::IsMember({"dark", "light"}))
+        ->capture_default_str();
     app.add_flag("--force", options.force, "show a scene that needs a later lesson, as far as this one can");
-    app.footer("Examples:\n"
+    app.footer("The scene may also be a .json file that holds a ray tree.\n"
+               "Examples:\n"
                "  viewer                              a scene with a pixel already chosen\n"
                "  viewer 2                            lesson 02 on its own first scene\n"
                "  viewer scene.toml --pixel 320,240   with the first lesson that models all of it\n"
                "  viewer 2 --screenshot view.png      the same as a file\n"
+               "  viewer 6 --compare schlick          exact Fresnel against Schlick's approximation\n"
+               "  viewer 6 --tracer 'build/release/bin/exercise06'\n"
+               "  viewer 6 --export out               the tree for ParaView, Blender and a browser\n"
+               "  viewer 6 --script 'pick 320 240; step 5; state out.json; shot out.png'\n"
+               "Commands of a script:\n" +
+               scriptHelp() +
                "Keys: press h in the window. Exit codes: 0 done, 2 bad input or usage, 3 no display.");
     return runMain(app, argc, argv, [&] { return view(options, argv); });
 }

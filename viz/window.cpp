@@ -1,18 +1,38 @@
 #include "viz/window.h"
 
 #include <algorithm>
-#include <iostream>
+#include <filesystem>
+#include <fstream>
 
 #include <fmt/format.h>
 #include <vtkCallbackCommand.h>
+#include <vtkInteractorEventRecorder.h>
 #include <vtkUnsignedCharArray.h>
 
 namespace rt::viz
 {
 
+namespace
+{
+
+constexpr auto stepTime = std::chrono::milliseconds(500); // while playing
+constexpr auto messageTime = std::chrono::seconds(6);
+constexpr unsigned long tickTime = 80; // milliseconds
+constexpr std::size_t mostDigits = 7;
+
+/// Panes make what they draw when they are made: fonts and colours must be right before.
+Controller& dressed(Controller& controller)
+{
+    checkFonts();
+    useLook(controller.look());
+    return controller;
+}
+
+} // namespace
+
 Window::Window(Controller& shown, int windowWidth, int windowHeight, bool onScreen)
-    : controller(shown), title(shown), image(shown), numbers(shown), scene(shown), strip(shown), width(windowWidth),
-      height(windowHeight)
+    : controller(dressed(shown)), title(shown), image(shown), numbers(shown), scene(shown), code(shown), tree(shown),
+      chart(shown), strip(shown), help(shown), width(windowWidth), height(windowHeight), dressedFor(shown.look())
 {
     window->SetWindowName("raytree");
     window->SetSize(width, height);
@@ -53,27 +73,81 @@ Window::~Window()
     if (interactor) interactor->SetInteractorStyle(nullptr);
 }
 
+LayoutWishes Window::wishes() const
+{
+    return {controller.showsHelp() ? PaneId::help : whole, controller.canCompare()};
+}
+
 void Window::layOut()
 {
-    const Layout layout = layoutFor(width, height);
-    const Rect places[] = {layout.title, layout.image, layout.numbers, layout.scene, layout.strip};
-    for (std::size_t i = 0; i < panes.size(); ++i) panes[i]->place(places[i], width, height, layout.scale);
+    laidOut = wishes();
+    const Layout layout = layoutFor(width, height, laidOut);
+    for (std::size_t i = 0; i < panes.size(); ++i) panes[i]->place(layout.panes[i], width, height, layout.scale);
+    under = nullptr;
+    drawOnly(panes);
 }
 
 void Window::resized()
 {
     const int* size = window->GetSize();
     if (size[0] == width && size[1] == height) return;
-    width = size[0];
-    height = size[1];
+    width = std::max(1, size[0]);
+    height = std::max(1, size[1]);
     layOut();
 }
 
-void Window::run()
+void Window::resize(int newWidth, int newHeight)
 {
+    window->SetSize(std::max(1, newWidth), std::max(1, newHeight));
+    resized();
+    if (interactor) window->Render();
+}
+
+void Window::run(const std::string& record)
+{
+    vtkNew<vtkInteractorEventRecorder> recorder;
     interactor->Initialize();
     window->Render();
+    interactor->CreateRepeatingTimer(tickTime);
+    if (!record.empty())
+    {
+        recorder->SetInteractor(interactor);
+        recorder->KeyPressActivationOff(); // otherwise key i would turn it off
+        recorder->SetFileName(record.c_str());
+        recorder->EnabledOn();
+        recorder->Record();
+    }
     interactor->Start();
+    if (!record.empty()) recorder->Stop();
+}
+
+void Window::replay(const std::string& file)
+{
+    if (!std::ifstream(file))
+        throw std::runtime_error(file + ": expected a file of recorded events, it cannot be read");
+    vtkNew<vtkInteractorEventRecorder> recorder;
+    interactor->Initialize();
+    window->Render();
+    recorder->SetInteractor(interactor);
+    recorder->KeyPressActivationOff();
+    recorder->SetFileName(file.c_str());
+    recorder->EnabledOn();
+    recorder->Play();
+    recorder->EnabledOff();
+}
+
+void Window::press(const std::string& keys)
+{
+    const std::string shift = "Shift+";
+    const bool withShift = keys.starts_with(shift);
+    key(withShift ? keys.substr(shift.size()) : keys, withShift, pointerX, pointerY);
+}
+
+void Window::dragFrom(int fromX, int fromY, int toX, int toY)
+{
+    press(fromX, fromY);
+    drag(fromX, fromY, toX - fromX, toY - fromY);
+    release();
 }
 
 Image Window::picture()
@@ -100,22 +174,61 @@ Pane* Window::paneAt(int x, int y)
 void Window::drawOnly(const std::vector<Pane*>& some)
 {
     for (auto* pane : panes)
-        for (auto* part : pane->renderers()) part->SetDraw(std::find(some.begin(), some.end(), pane) != some.end());
+    {
+        const bool isDrawn = pane->isPlaced() && std::find(some.begin(), some.end(), pane) != some.end();
+        for (auto* part : pane->renderers()) part->SetDraw(isDrawn);
+    }
 }
 
 void Window::redraw(const std::vector<Pane*>& some)
 {
+    if (!interactor) return;
     drawOnly(some);
     window->Render();
     drawOnly(panes);
 }
 
-void Window::update(unsigned changes)
+void Window::redrawIfAsked()
 {
     std::vector<Pane*> some;
     for (auto* pane : panes)
-        if (pane->update(changes)) some.push_back(pane);
-    if (interactor && !some.empty()) redraw(some);
+        if (pane->wantsDrawing() && pane->isPlaced()) some.push_back(pane);
+    if (!some.empty()) redraw(some);
+}
+
+void Window::dress()
+{
+    dressedFor = controller.look();
+    useLook(dressedFor);
+    for (auto* pane : panes) pane->dress();
+}
+
+void Window::update(unsigned changes)
+{
+    if (controller.look() != dressedFor) dress();
+    std::vector<Pane*> some;
+    for (auto* pane : panes)
+        if (pane->update(changes) && pane->isPlaced()) some.push_back(pane);
+    if (const auto now = wishes(); now.whole != laidOut.whole || now.titleHasTwoLines != laidOut.titleHasTwoLines)
+    {
+        layOut();
+        some = panes;
+    }
+    if (!some.empty()) redraw(some);
+}
+
+bool Window::press(int x, int y)
+{
+    auto* pane = paneAt(x, y);
+    if (!pane) return false;
+    const int* origin = pane->renderer()->GetOrigin();
+    return pane->press(x - origin[0], y - origin[1]);
+}
+
+void Window::release()
+{
+    for (auto* pane : panes) pane->release();
+    redrawIfAsked();
 }
 
 void Window::click(int x, int y)
@@ -131,6 +244,21 @@ void Window::drag(int fromX, int fromY, int dx, int dy)
 {
     if (auto* pane = paneAt(fromX, fromY))
         if (pane->drag(dx, dy)) redraw({pane});
+}
+
+void Window::hover(int x, int y)
+{
+    pointerX = x;
+    pointerY = y;
+    auto* pane = paneAt(x, y);
+    if (under && under != pane) under->leave();
+    under = pane;
+    if (pane)
+    {
+        const int* origin = pane->renderer()->GetOrigin();
+        pane->hover(x - origin[0], y - origin[1]);
+    }
+    redrawIfAsked();
 }
 
 void Window::wheel(int x, int y, bool forward)
@@ -154,21 +282,73 @@ void Window::endMotion()
     redraw({&scene});
 }
 
+void Window::tick()
+{
+    const auto now = Clock::now();
+    controller.poll();
+    if (controller.isPlaying() && now - lastStep >= stepTime)
+    {
+        lastStep = now;
+        controller.playOn();
+    }
+    if (!ownMessage.empty() && now - saidAt >= messageTime)
+    {
+        // Unless somebody else has said something since.
+        if (controller.message() == ownMessage) controller.say("");
+        ownMessage.clear();
+    }
+}
+
+void Window::say(const std::string& message)
+{
+    ownMessage = message;
+    saidAt = Clock::now();
+    controller.say(message);
+}
+
 void Window::key(const std::string& key, bool shift, int x, int y)
 {
-    const bool onPicture = shift || paneAt(x, y) == &image;
-    if (key == "q" || key == "Q") return interactor->TerminateApp();
+    if (strip.typed) return type(key);
+    const bool onPicture = shift || (paneAt(x, y) == &image && image.isPlaced());
+    if (key == "q" || key == "Q")
+    {
+        if (interactor) interactor->TerminateApp();
+        return;
+    }
     if (key == "Up") return onPicture ? controller.movePixel(0, -1) : controller.previousNode();
     if (key == "Down") return onPicture ? controller.movePixel(0, 1) : controller.nextNode();
-    if (key == "Left" && onPicture) return controller.movePixel(-1, 0);
-    if (key == "Right" && onPicture) return controller.movePixel(1, 0);
+    if (key == "Left") return onPicture ? controller.movePixel(-1, 0) : controller.stepBy(-1);
+    if (key == "Right") return onPicture ? controller.movePixel(1, 0) : controller.stepBy(1);
+    if (key == "Home") return controller.stepTo(0);
+    if (key == "End") return controller.stepTo(controller.lastStep());
+    if (key == "space")
+    {
+        lastStep = Clock::now();
+        return controller.setPlaying(!controller.isPlaying());
+    }
     if (key == "Prior") return controller.parentNode();
     if (key == "bracketleft") return controller.setMaxDepth(controller.maxDepth() - 1);
     if (key == "bracketright") return controller.setMaxDepth(controller.maxDepth() + 1);
+    if (key.size() == 1 && key[0] >= '1' && key[0] < '1' + kinds) return controller.toggle(Kind(key[0] - '1'));
     if (key == "n") return controller.toggleNormals();
+    if (key == "c") return controller.toggleComparison();
+    if (key == "d") return controller.selectDifference();
+    if (key == "l") return controller.toggleLook();
     if (key == "h" || key == "question") return controller.toggleHelp();
-    if (key == "Escape" && controller.showsHelp()) return controller.toggleHelp();
+    if (key == "m") return enlarge(x, y);
     if (key == "F12") return saveScreenshot();
+    if (key == "e" && exportAll) return exportAll();
+    if (key == "g" || key == "slash")
+    {
+        strip.typed = "";
+        return redraw({&strip});
+    }
+    if (key == "Escape")
+    {
+        if (controller.showsHelp()) return controller.toggleHelp();
+        if (whole != PaneId::none) return enlarge(x, y);
+        return controller.say("");
+    }
     if (key == "r")
     {
         scene.fitScene();
@@ -178,21 +358,70 @@ void Window::key(const std::string& key, bool shift, int x, int y)
     if (key == "t")
     {
         scene.fitRays();
-        redraw({&scene});
+        tree.fit();
+        redraw({&scene, &tree});
     }
 }
 
+/// The pane under the pointer takes the place of all, or gives it back.
+void Window::enlarge(int x, int y)
+{
+    if (controller.showsHelp()) return;
+    if (whole != PaneId::none)
+        whole = PaneId::none;
+    else
+    {
+        const auto found = std::find(panes.begin(), panes.end(), paneAt(x, y));
+        const auto id = PaneId(found - panes.begin());
+        if (found == panes.end() || id == PaneId::title || id == PaneId::strip) return;
+        whole = id;
+    }
+    layOut();
+    redraw(panes);
+}
+
+/// The number of a ray, digit by digit.
+void Window::type(const std::string& key)
+{
+    const bool isPad = key.size() == 4 && key.starts_with("KP_");
+    const char last = key.empty() ? ' ' : key.back();
+    if ((key.size() == 1 || isPad) && last >= '0' && last <= '9')
+    {
+        if (strip.typed->size() < mostDigits) *strip.typed += last;
+    }
+    else if (key == "BackSpace")
+    {
+        if (!strip.typed->empty()) strip.typed->pop_back();
+    }
+    else if (key == "Return" || key == "KP_Enter" || key == "Escape")
+    {
+        const auto digits = *strip.typed;
+        strip.typed.reset();
+        if (key != "Escape" && !digits.empty()) goTo(digits);
+    }
+    redraw({&strip});
+}
+
+void Window::goTo(const std::string& digits)
+{
+    tree.search(digits);
+    redraw({&tree});
+}
+
+/// Never over a picture that is there.
 void Window::saveScreenshot()
 {
-    const char* file = "raytree.png";
+    std::string file = "raytree.png";
+    for (int i = 2; std::filesystem::exists(file) && i < 10000; ++i) file = fmt::format("raytree-{}.png", i);
     try
     {
-        writeImage(picture(), file);
-        std::cerr << file << ": written\n";
+        const Image shot = picture();
+        writeImage(shot, file);
+        say(file + " has been written");
     }
     catch (const std::exception& error)
     {
-        std::cerr << error.what() << '\n';
+        say(error.what());
     }
 }
 

@@ -1,6 +1,8 @@
 // The viewer's window: panes around one controller.
 #pragma once
 
+#include <chrono>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -8,12 +10,16 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
 
+#include "viz/chart_pane.h"
+#include "viz/code_pane.h"
+#include "viz/help_pane.h"
 #include "viz/image_pane.h"
 #include "viz/numbers_pane.h"
 #include "viz/scene_pane.h"
 #include "viz/strip_pane.h"
 #include "viz/style.h"
 #include "viz/title_pane.h"
+#include "viz/tree_pane.h"
 
 namespace rt::viz
 {
@@ -27,40 +33,77 @@ public:
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
-    /// Runs until the user quits.
-    void run();
+    /// Runs until the user quits. Writes what he does to a file, if one is named.
+    void run(const std::string& record = {});
+    /// Does what such a file says. Throws std::runtime_error with one sentence if it cannot be read.
+    void replay(const std::string& file);
     /// What the window shows.
     Image picture();
+    void resize(int width, int height);
 
-    // For the interactor style; in pixels of the window.
+    /// What key e does, if anything.
+    std::function<void()> exportAll;
+
+    // For the interactor style and for scripts; in pixels of the window, y up.
     ScenePane& scenePane() { return scene; }
     Pane* paneAt(int x, int y);
+    /// A button goes down; true: the pane takes the drag from the first pixel on, and there will be no click.
+    bool press(int x, int y);
+    void release();
     void click(int x, int y);
     void drag(int fromX, int fromY, int dx, int dy);
+    void hover(int x, int y);
     void wheel(int x, int y, bool forward);
+    /// `key` as X names it: "Left", "bracketleft", "a".
     void key(const std::string& key, bool shift, int x, int y);
+    /// The same with the pointer where it was last; "Shift+Left" is allowed.
+    void press(const std::string& keys);
+    /// Press, drag and release of the left button.
+    void dragFrom(int fromX, int fromY, int toX, int toY);
     void beginMotion();
     void endMotion();
+    /// Some ten times a second: playing, and what the background has finished.
+    void tick();
 
 private:
+    using Clock = std::chrono::steady_clock;
+
     Controller& controller;
     TitlePane title;
     ImagePane image;
     NumbersPane numbers;
     ScenePane scene;
+    CodePane code;
+    TreePane tree;
+    ChartPane chart;
     StripPane strip;
-    std::vector<Pane*> panes{&title, &image, &numbers, &scene, &strip};
+    HelpPane help;
+    std::vector<Pane*> panes{&title, &image, &numbers, &scene, &code, &tree, &chart, &strip, &help}; // as PaneId counts
     vtkNew<vtkRenderWindow> window;
     vtkSmartPointer<vtkRenderWindowInteractor> interactor;
     vtkNew<Style> style;
     int width, height;
+    Look dressedFor;
+    PaneId whole = PaneId::none; // enlarged by the user
+    LayoutWishes laidOut;
+    Pane* under = nullptr; // the pointer
+    int pointerX = -1, pointerY = -1;
+    std::string ownMessage; // said by the window: it goes away by itself
+    Clock::time_point lastStep, saidAt;
 
+    LayoutWishes wishes() const;
     void layOut();
     void resized();
+    void dress();
     void update(unsigned changes);
     void drawOnly(const std::vector<Pane*>& some);
     /// Draws only these panes; the pixels of the others stay.
     void redraw(const std::vector<Pane*>& some);
+    void redrawIfAsked();
+    void enlarge(int x, int y);
+    void type(const std::string& key);
+    void goTo(const std::string& digits);
+    void say(const std::string& message);
     void saveScreenshot();
 };
 

@@ -214,10 +214,35 @@ TEST(RayTreeJson, NamesThePlaceOfWhatIsWrong)
         {"\"parent\": 0", "\"parent\": 1", "nodes[1].parent: expected a whole number from -1 to 0"},
         {"\"kind\": \"reflected\"", "\"kind\": \"bent\"",
          "nodes[1].kind: expected one of camera, reflected, transmitted"},
-        {"\"weight\": 1.0", "\"weight\": null", "nodes[0].weight: expected a finite number"},
+        {"\"parent\": 0", "\"parent\": 18446744073709551615", "nodes[1].parent: expected a whole number"},
+        {"\"parent\": 0", "\"parent\": 0.5", "nodes[1].parent: expected a whole number"},
+        {"\"parent\": -1", "\"parent\": 1", "nodes[0].parent: expected a whole number from -1 to -1"},
+        {"\"id\": 1", "\"id\": 0", "nodes[1].id: expected a whole number from 1 to 1"},
+        {"\"id\": 1", "\"id\": null", "nodes[1].id: expected a whole number"},
+        {"\"depth\": 1", "\"depth\": 1048577", "nodes[1].depth: expected a whole number from 0 to 1048576"},
+        {"\"weight\": 1.0", "\"weight\": \"1\"", "nodes[0].weight: expected a number, or null"},
+        {"\"weight\": 1.0", "\"weight\": NaN", "not JSON: line 40, column 14: unexpected NaN"},
+        {"\"weight\": 1.0", "\"weight\": 1e999", "nodes[0]: a number is larger than a double can be"},
+        {"\"origin\": [0.0, 0.0, 0.0],\n   \"d", "\"origin\": [0.0, 0.0],\n   \"d",
+         "nodes[0].origin: expected an array of 3 numbers"},
+        {"one_mirror.toml\"", "\xff\"", "not JSON: line 4, column 12: unexpected byte"},
+        {"one_mirror.toml", std::string("a\0b", 3), "not JSON: byte"},
+        {"one_mirror.toml", "a\\u0000b", "tree.scene: expected at most 4096 bytes, none of them zero"},
+        {"one_mirror.toml", std::string(4097, 'a'), "tree.scene: expected at most 4096 bytes"},
+        {"\"lesson\": 2", "\"pixel\": [4294967296, 0]", "tree.pixel: expected an array of 2 whole numbers from"},
+        {"\"lesson\": 2", "\"pixel\": [0, -2147483649]", "tree.pixel: expected an array of 2 whole numbers from"},
+        {"\"lesson\": 2", "\"lesson\": 2, \"lesson\": 2", "tree.lesson: is there twice"},
+        {"\"shadows\": []", "\"shadows\": [], \"nodes\": []", "nodes: is there twice"},
+        {"\"shadows\": []", "\"shadows\": [7]", "shadows[0]: expected an object"},
+        {"\"shadows\": []", "\"shadow\": []", "tree: the key \"shadows\" is missing"},
+        {"\"capped\": []", "\"capped\": 0", "capped: expected an array"},
+        {"\n}\n", "\n", "the text ends too early"},
+        {"\n}\n", "\n}\n}", "unexpected }"},
+        {"\n}\n", std::string("\n}\n\0", 4), "not JSON: byte"},
         {"\"depth\": 0", "\"deep\": 0", "nodes[0]: the key \"depth\" is missing"},
         {"\"shadows\": []", "\"shadows\": {}", "shadows: expected an array"},
-        {"{", "[", "not JSON"},
+        {"{", "[", "tree: expected an object"},
+        {"{", "{{", "not JSON: line 1, column 2: unexpected {"},
     };
     for (const auto& [what, instead, expected] : faults) try
         {
@@ -230,11 +255,138 @@ TEST(RayTreeJson, NamesThePlaceOfWhatIsWrong)
         }
 }
 
-TEST(RayTreeJson, SurvivesDeepNesting)
+std::string refusal(const std::string& json)
 {
-    EXPECT_THROW(rayTreeFromJson(std::string(1 << 20, '[')), std::runtime_error);
-    EXPECT_THROW(rayTreeFromJson("{\"version\":" + std::string(100000, '[') + std::string(100000, ']') + "}"),
-                 std::runtime_error);
+    try
+    {
+        rayTreeFromJson(json);
+    }
+    catch (const std::runtime_error& error)
+    {
+        return error.what();
+    }
+    return "accepted";
+}
+
+std::string repeated(const std::string& what, int times)
+{
+    std::string all;
+    for (int i = 0; i < times; ++i) all += what;
+    return all;
+}
+
+TEST(RayTreeJson, RefusesDeepNestingAtOnce)
+{
+    const std::string tooDeep = "arrays and objects are more than 64 deep in one another";
+    EXPECT_EQ(refusal(std::string(1 << 20, '[')), "tree: expected an object");
+    EXPECT_EQ(refusal("{\"version\":" + std::string(100000, '[') + std::string(100000, ']') + "}"),
+              "tree.version: " + tooDeep);
+    EXPECT_EQ(refusal(repeated("{\"a\":", 1000000)), "tree: " + tooDeep);
+    EXPECT_EQ(refusal("{\"nodes\":[{\"hit\":" + repeated("{\"hit\":", 1000000)), "nodes[0]: " + tooDeep);
+}
+
+TEST(RayTreeJson, DoesNotKeepMoreThanATreeHolds)
+{
+    const std::string many = repeated("[],", 100000) + "[]";
+    EXPECT_EQ(refusal("{\"nodes\":[{\"id\":[" + many + "]}]}"), "nodes[0]: holds more than 200 values");
+    EXPECT_EQ(refusal("{\"pixel\":[" + many + "]}"), "tree.pixel: holds more than 200 values");
+    EXPECT_EQ(refusal("{\"unknown\":[" + many + "],\"version\":1,\"nodes\":[],\"shadows\":[]}"), "accepted");
+    EXPECT_EQ(refusal(std::string((64 << 20) + 1, ' ')), "67108865 bytes of JSON, at most 67108864 are read");
+}
+
+/// A node with what the schema requires and no more.
+std::string smallNode(int id, int parent, const std::string& more = "")
+{
+    return fmt::format(
+        R"({{"id":{},"parent":{},"kind":"reflected","depth":0,"origin":[0,0,0],"direction":[0,0,1],"hit":null,)"
+        R"("weight":0.5,"throughput":[1,1,1],"radiance":[{},0,0],"contribution":[0,0,0],"end":null{}}})",
+        id, parent, 8 >> id, more);
+}
+
+TEST(RayTreeJson, ReadsATreeOfAnotherTracer)
+{
+    // Lists in another order, keys of its own, whole numbers with a point, no `own`, a second root.
+    const auto tree = rayTreeFromJson(
+        R"({"shadows":[{"node":1.0,"light":0,"direction":[0,1,0],"distance":2,"visible":false,"blocker":null}],)"
+        R"("generator":{"name":"another","id":[[1,{"id":2}],[3]]},"nodes":[)" +
+        smallNode(0, -1, R"(,"samples":[[1,2],{"id":5,"kind":[]}],"tir":true)") + "," + smallNode(1, 0) + "," +
+        smallNode(2, -1) + R"(],"version":1})");
+    ASSERT_EQ(tree.nodes.size(), 3U);
+    EXPECT_TRUE(tree.nodes[0].tir);
+    EXPECT_EQ(tree.nodes[0].own, Vec3<double>(6, 0, 0)) << "8 without half of 4";
+    EXPECT_EQ(tree.nodes[1].own, Vec3<double>(4, 0, 0));
+    EXPECT_FALSE(tree.nodes[0].orphan);
+    EXPECT_TRUE(tree.nodes[2].orphan);
+    ASSERT_EQ(tree.shadows.size(), 1U);
+    EXPECT_EQ(tree.shadows[0].node, 1);
+}
+
+TEST(RayTreeJson, RefusesWhatLeavesANodeThatIsNotThere)
+{
+    EXPECT_EQ(refusal(R"({"version":1,"nodes":[],"shadows":[{"node":0,"light":0,"direction":[0,1,0],"distance":2,)"
+                      R"("visible":true}]})"),
+              "shadows[0].node: there is no node 0");
+    EXPECT_EQ(refusal(R"({"version":1,"shadows":[],"capped":[{"node":1,"kind":"reflected","direction":[0,1,0],)"
+                      R"("weight":2,"radiance":[0,0,0],"reason":"cap"}],"nodes":[)" +
+                      smallNode(0, -1) + "]}"),
+              "capped[0].node: there is no node 1");
+}
+
+TEST(RayTreeJson, KeepsATreeWithNumbersThatAreNotFinite)
+{
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    auto tree = lessons()[1]->inspect(oneMirror(), Precision::doubled, GivenRay{{0, 0, 0}, {0, 0, -1}});
+    tree.shadows.emplace_back().direction.x = nan;
+    tree.shadows[0].distance = infinity<double>;
+    tree.capped.emplace_back().radiance = {infinity<double>, 1, 2};
+    tree.capped[0].weight = tree.capped[0].direction.y = nan;
+    for (auto& node : tree.nodes)
+    {
+        node.origin.x = node.direction.y = node.radiance.z = -infinity<double>;
+        node.weight = node.throughput.x = node.contribution.y = node.own.x = nan;
+        if (node.hit) node.hit->t = node.hit->point.x = node.hit->normal.y = node.hit->color.z = nan;
+    }
+    const auto json = toJson(tree);
+    const auto back = rayTreeFromJson(json);
+    EXPECT_EQ(toJson(back), json);
+    EXPECT_TRUE(std::isnan(back.nodes[0].weight));
+    EXPECT_TRUE(std::isnan(back.nodes[0].origin.x)) << "infinity, too, is null";
+    EXPECT_EQ(back.nodes[0].radiance.x, tree.nodes[0].radiance.x);
+    EXPECT_TRUE(std::isnan(back.nodes[0].hit->t));
+    EXPECT_TRUE(std::isnan(back.shadows[0].distance));
+    EXPECT_TRUE(std::isnan(back.capped[0].radiance.x));
+    EXPECT_EQ(back.capped[0].radiance.y, 1);
+}
+
+TEST(RayTreeJson, KeepsAnyName)
+{
+    auto tree = lessons()[1]->inspect(oneMirror(), Precision::doubled, GivenRay{{0, 0, 0}, {0, 0, -1}});
+    for (const std::string name : {"", "\"", "\\", "a\\\"[1, 2]\n{}", "[", "glÄs \t\x01", ", "})
+    {
+        tree.scene = tree.source = tree.real = name;
+        tree.nodes[0].hit->primitive = tree.nodes[0].hit->material = name;
+        const auto back = rayTreeFromJson(toJson(tree));
+        EXPECT_EQ(back.scene, name);
+        EXPECT_EQ(back.nodes[0].hit->primitive, name);
+        EXPECT_EQ(back.nodes[0].hit->material, name);
+    }
+}
+
+TEST(RayTreeJson, ReadsATreeOfNinetyThousandNodes)
+{
+    const int nodes = 90000;
+    RayTree tree;
+    for (int i = 0; i < nodes; ++i)
+    {
+        RayTree::Node node;
+        node.id = i;
+        node.parent = i - 1;
+        node.depth = i;
+        node.hit.emplace().primitive = "sphere12";
+        node.origin = Vec3<double>(1.0 / (3 + i), i, -i);
+        tree.nodes.push_back(node);
+    }
+    EXPECT_EQ(rayTreeFromJson(toJson(tree)).nodes[89999].origin, tree.nodes[89999].origin);
 }
 
 TEST(RayTreeText, ReadsLikeTheSlide)

@@ -19,7 +19,7 @@ Session mirrorSession()
     session.scene = loadScene(projectFile("lessons/02_mirrors/scenes/pure_specular.toml"));
     session.scene.camera.width = 64;
     session.scene.camera.height = 48;
-    session.lesson = findLesson(2);
+    session.source = lessonSource(*findLesson(2), Precision::doubled);
     session.probe = std::array{36, 25};
     return session;
 }
@@ -52,7 +52,7 @@ TEST(Controller, TracesTheTreeOfTheChosenPixel)
     watched.controller.choosePixel(5, 40);
     EXPECT_EQ(watched.controller.pixel(), (std::array{5, 40}));
     EXPECT_EQ(watched.controller.tree().nodes.at(0).radiance, watched.controller.picture().at(5, 40));
-    EXPECT_EQ(watched.told, std::vector<unsigned>{changedTree | changedNode});
+    EXPECT_EQ(watched.told, std::vector<unsigned>{changedTree | changedNode | changedStep});
 }
 
 TEST(Controller, SaysNothingWhenNothingChanges)
@@ -113,8 +113,11 @@ TEST(Controller, ALowerCapMakesAShallowerTreeAndAnotherPicture)
     watched.controller.setMaxDepth(0);
     EXPECT_EQ(watched.controller.deepest(), 0);
     EXPECT_EQ(watched.controller.selected(), 0);
+    EXPECT_EQ(watched.told.back(), unsigned{changedTree | changedNode | changedStep});
+    watched.controller.wait();
+    EXPECT_EQ(watched.told.back(), unsigned{changedPicture | changedMessage});
     EXPECT_FALSE(compare(watched.controller.picture(), before, 0, 0).equal());
-    EXPECT_EQ(watched.told.back(), unsigned{changedPicture | changedTree | changedNode});
+    EXPECT_EQ(watched.controller.tree().nodes.at(0).radiance, watched.controller.picture().at(36, 25));
     watched.controller.setMaxDepth(-3);
     EXPECT_EQ(watched.controller.maxDepth(), 0);
 }
@@ -130,18 +133,11 @@ TEST(Controller, AGivenRayHasNoPixelUntilOneIsChosen)
     EXPECT_TRUE(controller.pixel());
 }
 
-/// As an exercise that throws before it has traced anything.
-RayTree inspectNothing(const SceneDescription&, Precision, const Probe&)
-{
-    return {};
-}
-
 TEST(Controller, LivesWithAnEmptyTree)
 {
-    LessonEntry nothing = *findLesson(2);
-    nothing.inspect = inspectNothing;
     Session session = mirrorSession();
-    session.lesson = &nothing;
+    // As an exercise that throws before it has traced anything.
+    session.source.inspect = [](const auto&, const auto&, const auto&) { return RayTree(); };
     Controller controller(std::move(session));
     EXPECT_EQ(controller.node(), nullptr);
     EXPECT_EQ(controller.deepest(), 0);
@@ -149,6 +145,174 @@ TEST(Controller, LivesWithAnEmptyTree)
     controller.parentNode();
     EXPECT_EQ(controller.selected(), 0);
     EXPECT_EQ(nodeText(controller, 60).size(), 1U);
+    controller.stepBy(-1);
+    controller.setPlaying(true);
+    EXPECT_FALSE(controller.isPlaying());
+    EXPECT_EQ(controller.current(), nullptr);
+}
+
+TEST(Controller, ShowsEverythingUntilItIsStepped)
+{
+    const Controller controller(mirrorSession());
+    EXPECT_TRUE(controller.isComplete());
+    EXPECT_EQ(controller.current(), nullptr);
+    for (const auto& node : controller.tree().nodes)
+    {
+        EXPECT_TRUE(controller.isReached(node.id));
+        EXPECT_TRUE(controller.hasReturned(node.id));
+    }
+}
+
+TEST(Controller, StepsThroughTheEventsForwardsAndBackwards)
+{
+    Controller controller(mirrorSession());
+    controller.stepTo(0);
+    EXPECT_EQ(controller.current(), nullptr);
+    EXPECT_FALSE(controller.isReached(0));
+    controller.stepBy(1);
+    ASSERT_NE(controller.current(), nullptr);
+    EXPECT_EQ(controller.current()->kind, Event::Kind::follow);
+    EXPECT_TRUE(controller.isReached(0));
+    EXPECT_FALSE(controller.isReached(1));
+    EXPECT_FALSE(controller.hasReturned(0));
+    for (int step = 1; step <= controller.lastStep(); ++step)
+    {
+        controller.stepTo(step);
+        EXPECT_EQ(controller.selected(), controller.current()->node) << step;
+    }
+    EXPECT_TRUE(controller.hasReturned(0));
+    controller.stepBy(-1);
+    EXPECT_FALSE(controller.hasReturned(0));
+    controller.stepBy(1000);
+    EXPECT_EQ(controller.step(), controller.lastStep());
+    controller.stepBy(-1000);
+    EXPECT_EQ(controller.step(), 0);
+}
+
+TEST(Controller, ANodeThatIsNotYetReachedIsSteppedTo)
+{
+    Controller controller(mirrorSession());
+    controller.stepTo(1);
+    ASSERT_FALSE(controller.isReached(1));
+    controller.selectNode(1);
+    EXPECT_TRUE(controller.isReached(1));
+    EXPECT_EQ(controller.selected(), 1);
+    EXPECT_FALSE(controller.isComplete());
+    controller.selectNode(0); // already reached: time stands still
+    const int step = controller.step();
+    EXPECT_EQ(controller.selected(), 0);
+    EXPECT_EQ(controller.step(), step);
+}
+
+TEST(Controller, PlaysFromTheBeginningToTheEndOnce)
+{
+    Controller controller(mirrorSession());
+    controller.setPlaying(true);
+    EXPECT_EQ(controller.step(), 0);
+    int steps = 0;
+    while (controller.isPlaying() && steps < 1000)
+    {
+        controller.playOn();
+        ++steps;
+    }
+    EXPECT_EQ(steps, controller.lastStep());
+    EXPECT_TRUE(controller.isComplete());
+    controller.playOn();
+    EXPECT_TRUE(controller.isComplete());
+}
+
+TEST(Controller, HidesKindsAndWeakRays)
+{
+    Controller controller(mirrorSession());
+    ASSERT_EQ(controller.tree().nodes.at(1).kind, RayKind::reflected);
+    EXPECT_TRUE(controller.isShown(1));
+    controller.toggle(Kind::reflected);
+    EXPECT_FALSE(controller.isShown(1));
+    EXPECT_TRUE(controller.isShown(0));
+    controller.toggle(Kind::reflected);
+    const double throughput = largestChannel(controller.tree().nodes[1].throughput);
+    ASSERT_GT(throughput, 0);
+    ASSERT_LT(throughput, 1);
+    controller.setWeakest(throughput);
+    EXPECT_TRUE(controller.isShown(1));
+    controller.setWeakest(std::nextafter(throughput, 1.0));
+    EXPECT_FALSE(controller.isShown(1));
+    EXPECT_TRUE(controller.isShown(0));
+}
+
+/// Glass, with Schlick's approximation in the other source.
+Session glassSession()
+{
+    Session session = mirrorSession();
+    session.scene = loadScene(projectFile(findLesson(6)->scene));
+    session.source = lessonSource(*findLesson(6), Precision::doubled);
+    session.source.render = nullptr; // only the trees count here
+    session.probe = session.scene.pixel();
+    return session;
+}
+
+TEST(Comparison, FindsNothingBetweenATreeAndItself)
+{
+    Session session = glassSession();
+    session.other = session.source;
+    const Controller controller(std::move(session));
+    ASSERT_NE(controller.comparison(), nullptr);
+    EXPECT_FALSE(controller.comparison()->first);
+    const auto& differs = controller.comparison()->match.differs;
+    EXPECT_EQ(std::count(differs.begin(), differs.end(), true), 0);
+}
+
+TEST(Comparison, NamesFresnelFirstWhereSchlickIsUsed)
+{
+    Session session = glassSession();
+    session.other = with(session.source, "schlick", [](auto& scene) { scene.trace.fresnel = FresnelModel::schlick; });
+    Controller controller(std::move(session));
+    ASSERT_TRUE(controller.comparison() && controller.comparison()->first);
+    EXPECT_EQ(controller.comparison()->first->field, "fresnel");
+    controller.toggleComparison();
+    EXPECT_EQ(controller.comparison(), nullptr);
+    controller.toggleComparison();
+    controller.choosePixel(1, 1);
+    EXPECT_TRUE(controller.comparison());
+}
+
+/// As another program: asks in the background.
+TEST(SlowSource, LeavesTheOldTreeAndOneSentenceWhenItFails)
+{
+    Session session = mirrorSession();
+    session.source.isSlow = true;
+    auto fails = std::make_shared<bool>(false);
+    session.source.inspect = [fails, ask = session.source.inspect](const auto& scene, const auto& probe,
+                                                                   const auto& stop) {
+        if (*fails) throw std::runtime_error("the other program crashed");
+        return ask(scene, probe, stop);
+    };
+    Controller controller(std::move(session));
+    controller.wait();
+    const auto nodes = controller.tree().nodes.size();
+    ASSERT_GT(nodes, 0U);
+    *fails = true;
+    controller.choosePixel(2, 2);
+    controller.wait();
+    EXPECT_EQ(controller.message(), "the other program crashed");
+    EXPECT_EQ(controller.tree().nodes.size(), nodes);
+    *fails = false;
+    controller.choosePixel(3, 2);
+    controller.wait();
+    EXPECT_EQ(controller.message(), "");
+    EXPECT_EQ(controller.tree().pixel, (std::array{3, 2}));
+}
+
+TEST(SlowSource, AFailureAtTheStartIsSaidNotThrown)
+{
+    Session session = mirrorSession();
+    session.source.isSlow = true;
+    session.source.render = [](const auto&, const auto&) -> Image { throw std::runtime_error("no picture"); };
+    session.source.inspect = [](const auto&, const auto&, const auto&) -> RayTree { throw std::runtime_error("no tree"); };
+    Controller controller(std::move(session));
+    controller.wait();
+    EXPECT_EQ(controller.message(), "no tree");
+    EXPECT_EQ(controller.node(), nullptr);
 }
 
 TEST(NodeText, NamesEachFormulaAndFitsTheColumns)

@@ -1,5 +1,6 @@
 #include "viz/layout.h"
 #include "viz/picture_view.h"
+#include "viz/slider.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -10,22 +11,102 @@ namespace rt::viz
 namespace
 {
 
+/// Each pixel belongs to one pane.
+void expectCovered(const Layout& layout, int width, int height)
+{
+    for (int y = 0; y < height; y += 1 + height / 97)
+        for (int x = 0; x < width; x += 1 + width / 97)
+        {
+            int covered = 0;
+            for (const auto& pane : layout.panes) covered += pane.contains(x, y);
+            ASSERT_EQ(covered, 1) << x << ',' << y << " of " << width << 'x' << height;
+        }
+}
+
 TEST(Layout, PanesCoverTheWindowWithoutOverlapping)
 {
     for (const auto& [width, height] :
          {std::pair{1600, 900}, {1280, 720}, {2560, 1440}, {640, 400}, {9, 9}, {300, 2000}})
+        for (int whole = 0; whole <= panesInAll; ++whole)
+            expectCovered(layoutFor(width, height, {PaneId(whole), whole % 2 == 0}), width, height);
+}
+
+TEST(Layout, ShowsAllPanesWhereThereIsRoom)
+{
+    for (const auto& [width, height] : {std::pair{1600, 900}, {1280, 720}, {2560, 1440}, {900, 520}})
     {
         const Layout layout = layoutFor(width, height);
-        const Rect panes[] = {layout.title, layout.image, layout.numbers, layout.scene, layout.strip};
-        for (int y = 0; y < height; y += 1 + height / 97)
-            for (int x = 0; x < width; x += 1 + width / 97)
-            {
-                int covered = 0;
-                for (const auto& pane : panes) covered += pane.contains(x, y);
-                ASSERT_EQ(covered, 1) << x << ',' << y << " of " << width << 'x' << height;
-            }
-        for (const auto& pane : panes) EXPECT_TRUE(pane.width > 0 && pane.height > 0);
+        for (int pane = 0; pane < panesInAll; ++pane)
+            EXPECT_EQ(layout[PaneId(pane)].isEmpty(), PaneId(pane) == PaneId::help) << pane;
+        const auto area = [&](PaneId pane) { return layout[pane].width * layout[pane].height; };
+        for (const auto other : {PaneId::image, PaneId::numbers, PaneId::code, PaneId::tree, PaneId::chart})
+            EXPECT_GT(area(PaneId::scene), area(other));
     }
+}
+
+TEST(Layout, KeepsTheMostImportantPanesInASmallWindow)
+{
+    const Layout layout = layoutFor(640, 400);
+    for (const auto pane : {PaneId::title, PaneId::image, PaneId::numbers, PaneId::scene, PaneId::strip})
+        EXPECT_FALSE(layout[pane].isEmpty()) << int(pane);
+    EXPECT_TRUE(layout[PaneId::code].isEmpty());
+    EXPECT_FALSE(layoutFor(640, 400, {PaneId::code})[PaneId::code].isEmpty());
+}
+
+TEST(Layout, APaneMayTakeAllTheRoom)
+{
+    const Layout usual = layoutFor(1600, 900), enlarged = layoutFor(1600, 900, {PaneId::tree});
+    EXPECT_EQ(enlarged[PaneId::tree].width, 1600);
+    EXPECT_TRUE(enlarged[PaneId::scene].isEmpty());
+    EXPECT_EQ(enlarged[PaneId::strip].height, usual[PaneId::strip].height);
+    EXPECT_EQ(enlarged[PaneId::title].y, usual[PaneId::title].y);
+}
+
+TEST(Slider, FindsTheNearestStop)
+{
+    const Slider slider{.left = 100, .right = 300, .stops = 4};
+    EXPECT_EQ(slider.stopAt(100), 0);
+    EXPECT_EQ(slider.stopAt(124), 0);
+    EXPECT_EQ(slider.stopAt(126), 1);
+    EXPECT_EQ(slider.stopAt(300), 4);
+    EXPECT_EQ(slider.stopAt(-50), 0);
+    EXPECT_EQ(slider.stopAt(5000), 4);
+    EXPECT_EQ(slider.at(160), 0.25);
+    for (int stop = 0; stop <= 4; ++stop) EXPECT_EQ(slider.stopAt(slider.x(stop / 4.0)), stop);
+}
+
+TEST(Slider, WithoutLengthIsNoDivisionByZero)
+{
+    const Slider slider{.left = 100, .right = 100, .stops = 3};
+    EXPECT_EQ(slider.stopAt(100), 0);
+    EXPECT_EQ(slider.stopAt(200), 3);
+}
+
+TEST(Slider, HidesNothingAtItsLeftEndAndAllAtItsRight)
+{
+    EXPECT_EQ(throughputAt(0), 0);
+    EXPECT_EQ(throughputAt(1), 1);
+    EXPECT_EQ(positionOf(0), 0);
+    EXPECT_EQ(positionOf(1), 1);
+    double before = 0;
+    for (double position = 0.05; position <= 1; position += 0.05)
+    {
+        const double throughput = throughputAt(position);
+        EXPECT_GT(throughput, before);
+        EXPECT_NEAR(positionOf(throughput), position, 1e-12);
+        before = throughput;
+    }
+    EXPECT_EQ(throughputAt(7), 1);
+    EXPECT_GE(positionOf(1e-300), 0);
+}
+
+TEST(Slider, ShowsThroughputAsPercent)
+{
+    EXPECT_EQ(percent(0), "0 %");
+    EXPECT_EQ(percent(0.0001), "0.01 %");
+    EXPECT_EQ(percent(0.0253), "2.5 %");
+    EXPECT_EQ(percent(0.999), "100 %");
+    EXPECT_EQ(percent(1), "100 %");
 }
 
 Image numbered(int width, int height)

@@ -348,48 +348,6 @@ TEST(Planes, ShowTheShadowsOfTheScene)
     EXPECT_LT(middle.r * 2, beside.r);
 }
 
-/// What a dichromat sees (Machado, Oliveira and Fernandes, "A Physiologically-based Model for Simulation of Color Vision
-/// Deficiency", 2009; severity 1: protan, deutan, tritan). Linear.
-vec3 seenBy(int kind, const vec3& c)
-{
-    if (kind == 0) return c;
-    constexpr double rows[3][9] = {
-        {0.152286, 1.052583, -0.204868, 0.114503, 0.786281, 0.099216, -0.003882, -0.048116, 1.051998},
-        {0.367322, 0.860646, -0.227968, 0.280085, 0.672501, 0.047413, -0.011820, 0.042940, 0.968881},
-        {1.255528, -0.076749, -0.178779, -0.078411, 0.930809, 0.147602, 0.004733, 0.691367, 0.303900}};
-    const double* m = rows[kind - 1];
-    const vec3 seen(m[0] * c.x + m[1] * c.y + m[2] * c.z, m[3] * c.x + m[4] * c.y + m[5] * c.z,
-                    m[6] * c.x + m[7] * c.y + m[8] * c.z);
-    return clamp(seen, 0.0, 1.0);
-}
-
-vec3 lab(const vec3& c)
-{
-    const vec3 xyz(0.4124 * c.x + 0.3576 * c.y + 0.1805 * c.z, 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z,
-                   0.0193 * c.x + 0.1192 * c.y + 0.9505 * c.z);
-    const auto f = [](double t) { return t > 0.008856 ? std::cbrt(t) : 7.787 * t + 16.0 / 116; };
-    const double x = f(xyz.x / 0.9505), y = f(xyz.y), z = f(xyz.z / 1.089);
-    return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
-}
-
-TEST(Palette, RaysKeepApartForColourBlindEyes)
-{
-    const RayRole roles[] = {RayRole::camera,  RayRole::reflected, RayRole::transmitted,
-                             RayRole::reaches, RayRole::blocked,   RayRole::normal};
-    const auto linear = [](unsigned char v) { return std::pow(v / 255.0, 2.2); };
-    for (int kind = 0; kind < 4; ++kind)
-        for (const auto a : roles)
-            for (const auto b : roles)
-            {
-                if (a >= b) continue;
-                const auto seen = [&](RayRole role) {
-                    const Rgba c = colorOf(role);
-                    return lab(seenBy(kind, {linear(c.r), linear(c.g), linear(c.b)}));
-                };
-                EXPECT_GT(length(seen(a) - seen(b)), 15) << int(a) << " and " << int(b) << " for eyes of kind " << kind;
-            }
-}
-
 } // namespace
 
 } // namespace rt::viz

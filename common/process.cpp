@@ -1,0 +1,320 @@
+#include "common/process.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+#include <system_error>
+#include <thread>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+namespace rt
+{
+
+namespace
+{
+
+constexpr std::size_t errBytes = std::size_t(64) << 10;
+
+/// A file descriptor that closes itself.
+struct Descriptor
+{
+    int fd = -1;
+
+    Descriptor() = default;
+    explicit Descriptor(int given) : fd(given) {}
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    ~Descriptor() { close(); }
+
+    void close()
+    {
+        if (fd >= 0) ::close(fd);
+        fd = -1;
+    }
+};
+
+[[noreturn]] void fail(const std::string& program, int error)
+{
+    throw std::runtime_error(fmt::format("{} cannot be started: {}", program, std::generic_category().message(error)));
+}
+
+/// Both ends above 2, so that putting one into the place of 1 or 2 overwrites no other; not inherited.
+struct Pipe
+{
+    Descriptor read, write;
+
+    explicit Pipe(const std::string& program)
+    {
+        int ends[2];
+        if (::pipe2(ends, O_CLOEXEC) != 0) fail(program, errno);
+        const Descriptor first(ends[0]), second(ends[1]);
+        constexpr int least = 3;
+        read.fd = ::fcntl(first.fd, F_DUPFD_CLOEXEC, least);
+        write.fd = ::fcntl(second.fd, F_DUPFD_CLOEXEC, least);
+        if (read.fd < 0 || write.fd < 0) fail(program, errno);
+        ::fcntl(read.fd, F_SETFL, O_NONBLOCK);
+    }
+};
+
+/// A running program: the leader of its group. Kills the group and buries its leader at the latest when it goes out of scope.
+class Child
+{
+public:
+    explicit Child(pid_t started) : pid(started) {}
+    Child(const Child&) = delete;
+    Child& operator=(const Child&) = delete;
+    ~Child()
+    {
+        int ignored = 0;
+        if (pid > 0) end(ignored);
+    }
+
+    /// Has the leader ended? It stays a zombie, so that its number, which is the group's, is not given to another.
+    bool hasEnded() const
+    {
+        siginfo_t info{};
+        const int failed = ::waitid(P_PID, id_t(pid), &info, WEXITED | WNOHANG | WNOWAIT);
+        return (failed != 0 && errno != EINTR) || info.si_pid == pid;
+    }
+
+    /// False if somebody else, a handler of SIGCHLD, has taken the status away.
+    bool end(int& status)
+    {
+        ::kill(-pid, SIGKILL);
+        pid_t buried = -1;
+        do buried = ::waitpid(pid, &status, 0);
+        while (buried < 0 && errno == EINTR);
+        pid = -1;
+        return buried > 0;
+    }
+
+private:
+    pid_t pid;
+};
+
+pid_t spawn(const std::vector<std::string>& argv, int out, int err)
+{
+    posix_spawn_file_actions_t files;
+    posix_spawnattr_t attributes;
+    ::posix_spawn_file_actions_init(&files);
+    ::posix_spawnattr_init(&attributes);
+    ::posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    ::posix_spawn_file_actions_adddup2(&files, out, STDOUT_FILENO);
+    ::posix_spawn_file_actions_adddup2(&files, err, STDERR_FILENO);
+    ::posix_spawn_file_actions_addclosefrom_np(&files, STDERR_FILENO + 1);
+    // Whatever signals we block or ignore, the program starts as from a shell.
+    sigset_t none, all;
+    ::sigemptyset(&none);
+    ::sigfillset(&all);
+    ::posix_spawnattr_setsigmask(&attributes, &none);
+    ::posix_spawnattr_setsigdefault(&attributes, &all);
+    ::posix_spawnattr_setpgroup(&attributes, 0);
+    ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+
+    std::vector<char*> words;
+    for (const auto& word : argv) words.push_back(const_cast<char*>(word.c_str()));
+    words.push_back(nullptr);
+    pid_t pid = -1;
+    const int error = ::posix_spawnp(&pid, words[0], &files, &attributes, words.data(), environ);
+    ::posix_spawn_file_actions_destroy(&files);
+    ::posix_spawnattr_destroy(&attributes);
+    if (error != 0) fail(argv[0], error);
+    return pid;
+}
+
+/// Limits that hold even when we are gone.
+void limitResources(pid_t pid, double seconds)
+{
+    const rlimit noCore{0, 0};
+    ::prlimit(pid, RLIMIT_CORE, &noCore, nullptr);
+    const double all = (std::ceil(seconds) + 1) * std::max(1U, std::thread::hardware_concurrency());
+    constexpr double most = 1e9;
+    if (!(all < most)) return;
+    const rlimit processor{rlim_t(all), rlim_t(all) + 1};
+    ::prlimit(pid, RLIMIT_CPU, &processor, nullptr);
+}
+
+/// Appends what can be read now, until `text` has `most` bytes; closes the descriptor at the end of the file. False if there
+/// was more than fits.
+bool drain(Descriptor& from, std::string& text, std::size_t most)
+{
+    char buffer[1 << 16];
+    while (from.fd >= 0)
+    {
+        const auto count = ::read(from.fd, buffer, sizeof buffer);
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0 && errno == EAGAIN) break;
+        if (count <= 0)
+        {
+            from.close();
+            break;
+        }
+        const auto fits = std::min(std::size_t(count), most - text.size());
+        text.append(buffer, fits);
+        if (fits < std::size_t(count)) return false;
+        // Leave when there is less than a buffer full, so that a program that writes on and on does not keep us here.
+        if (std::size_t(count) < sizeof buffer) break;
+    }
+    return true;
+}
+
+/// The same for text of which only the end is of interest.
+void drainTail(Descriptor& from, std::string& text)
+{
+    drain(from, text, text.max_size());
+    if (text.size() > 2 * errBytes) text.erase(0, text.size() - errBytes);
+}
+
+/// Until there is something to read, but not for long: somebody may stop us, or the program may end and leave its output to
+/// a child of its own.
+void waitForOutput(int out, int err, double seconds)
+{
+    const int longest = out < 0 && err < 0 ? 1 : 10; // milliseconds; with both closed it is about to end
+    pollfd files[] = {{out, POLLIN, 0}, {err, POLLIN, 0}};
+    ::poll(files, 2, int(std::clamp(std::ceil(seconds * 1000), 0.0, double(longest))));
+}
+
+std::string sizeText(std::size_t bytes)
+{
+    constexpr std::size_t KiB = 1024, MiB = KiB * KiB;
+    if (bytes >= MiB && bytes % MiB == 0) return fmt::format("{} MiB", bytes / MiB);
+    if (bytes >= KiB && bytes % KiB == 0) return fmt::format("{} KiB", bytes / KiB);
+    return fmt::format("{} bytes", bytes);
+}
+
+/// "segmentation fault".
+std::string signalText(int number)
+{
+    const char* known = ::sigdescr_np(number);
+    std::string text = known ? known : fmt::format("signal {}", number);
+    if (text.size() > 1 && text[0] >= 'A' && text[0] <= 'Z' && text[1] >= 'a' && text[1] <= 'z')
+        text[0] = char(text[0] - 'A' + 'a');
+    return text;
+}
+
+/// The first line that says anything, without what would disturb a terminal or a label.
+std::string firstLine(const std::string& text)
+{
+    constexpr std::size_t longest = 200;
+    const char* blanks = " \t\r\n";
+    const auto start = text.find_first_not_of(blanks);
+    if (start == std::string::npos) return "";
+    std::string line = text.substr(start, std::min(text.find('\n', start) - start, longest));
+    line.erase(line.find_last_not_of(blanks) + 1);
+    for (char& c : line)
+        if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = ' ';
+    return line;
+}
+
+} // namespace
+
+ProcessResult runProcess(const std::vector<std::string>& argv, const ProcessLimits& limits)
+{
+    if (argv.empty() || argv[0].empty()) throw std::runtime_error("no program is named");
+    for (const auto& word : argv)
+        if (word.find('\0') != std::string::npos) throw std::runtime_error("a command cannot hold zero bytes");
+
+    using Clock = std::chrono::steady_clock;
+    const auto start = Clock::now();
+    Pipe out(argv[0]), err(argv[0]);
+    const pid_t pid = spawn(argv, out.write.fd, err.write.fd);
+    Child child(pid);
+    limitResources(pid, limits.seconds);
+    out.write.close();
+    err.write.close();
+
+    ProcessResult result;
+    for (;;)
+    {
+        // First whether it has ended, then what it wrote: nothing can come after that.
+        const bool hasEnded = child.hasEnded();
+        result.tooMuchOutput = !drain(out.read, result.out, limits.outputBytes);
+        drainTail(err.read, result.err);
+        result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+        if (result.tooMuchOutput || hasEnded) break;
+        result.stopped = limits.stop && *limits.stop;
+        result.timedOut = !result.stopped && !(result.seconds < limits.seconds);
+        if (result.stopped || result.timedOut) break;
+        waitForOutput(out.read.fd, err.read.fd, limits.seconds - result.seconds);
+    }
+    const bool endedByItself = !result.tooMuchOutput && !result.stopped && !result.timedOut;
+    int status = 0;
+    const bool known = child.end(status);
+    if (endedByItself && known && WIFEXITED(status)) result.exitCode = WEXITSTATUS(status);
+    if (endedByItself && known && WIFSIGNALED(status)) result.signal = WTERMSIG(status);
+    // What is still in the pipes; no more than that, should something that left the group go on writing.
+    constexpr int buffersInAPipe = 32;
+    for (int i = 0; i < buffersInAPipe && !result.tooMuchOutput; ++i)
+    {
+        result.tooMuchOutput = !drain(out.read, result.out, limits.outputBytes);
+        drainTail(err.read, result.err);
+    }
+    if (result.err.size() > errBytes) result.err.erase(0, result.err.size() - errBytes);
+    return result;
+}
+
+std::vector<std::string> splitCommand(const std::string& command)
+{
+    std::vector<std::string> words;
+    bool inWord = false; // also in an empty one: ""
+    char quote = 0;
+    for (std::size_t i = 0; i < command.size(); ++i)
+    {
+        const char c = command[i];
+        const bool isBlank = c == ' ' || c == '\t' || c == '\n';
+        if (!quote && isBlank)
+        {
+            inWord = false;
+            continue;
+        }
+        if (!inWord) words.emplace_back();
+        inWord = true;
+        if (c == quote)
+            quote = 0;
+        else if (!quote && (c == '\'' || c == '"'))
+            quote = c;
+        else if (c == '\\' && quote != '\'')
+        {
+            if (i + 1 == command.size()) throw std::runtime_error("the command ends with a \\ that nothing follows");
+            const char next = command[i + 1];
+            // In double quotes a backslash that does not protect anything is itself.
+            if (quote && !std::strchr("\"\\$`", next)) words.back() += c;
+            words.back() += next;
+            ++i;
+        }
+        else
+            words.back() += c;
+    }
+    if (quote) throw std::runtime_error(fmt::format("the command has a {} that is not closed: {}", quote, command));
+    return words;
+}
+
+std::string describeFailure(const std::string& what, const ProcessResult& result)
+{
+    if (result.ok()) return "";
+    if (result.stopped) return what + " was stopped";
+    if (result.timedOut)
+        return fmt::format("{} was stopped after {} s without an answer", what,
+                           result.seconds < 9.5 ? fmt::format("{:.2g}", result.seconds)
+                                                : fmt::format("{:.0f}", result.seconds));
+    if (result.tooMuchOutput) return fmt::format("{} wrote more than {}", what, sizeText(result.out.size()));
+    if (result.signal == SIGKILL) return what + " was killed from outside, perhaps for want of memory";
+    if (result.signal != 0) return fmt::format("{} crashed ({})", what, signalText(result.signal));
+    if (result.exitCode < 0) return what + " ended, it is not known how";
+    const auto reason = firstLine(result.err);
+    return fmt::format("{} ended with code {}{}{}", what, result.exitCode, reason.empty() ? "" : ": ", reason);
+}
+
+} // namespace rt

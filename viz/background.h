@@ -1,0 +1,58 @@
+// Work that goes on while the window stays alive.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <future>
+#include <memory>
+#include <optional>
+
+namespace rt::viz
+{
+
+/// At most one piece of work at a time; a newer one replaces an older one. Owned and used by one thread.
+template <class Result>
+class Background
+{
+public:
+    Background() = default;
+    ~Background() { cancel(); }
+    Background(const Background&) = delete;
+    Background& operator=(const Background&) = delete;
+
+    /// `work` must look at `stop` often and return, with anything, once it is set.
+    void start(std::function<Result(const std::atomic<bool>& stop)> work)
+    {
+        cancel();
+        stop = false;
+        result = std::async(std::launch::async, [this, work = std::move(work)] { return work(stop); });
+    }
+
+    bool isBusy() const { return result.valid(); }
+
+    /// Without waiting: the result, once. Throws what the work threw.
+    std::optional<Result> poll()
+    {
+        if (!isBusy() || result.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return std::nullopt;
+        return result.get();
+    }
+
+    void wait() const
+    {
+        if (isBusy()) result.wait();
+    }
+
+    void cancel()
+    {
+        stop = true;
+        if (isBusy()) result.wait();
+        result = {};
+    }
+
+private:
+    std::atomic<bool> stop = false;
+    std::future<Result> result;
+};
+
+} // namespace rt::viz

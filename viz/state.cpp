@@ -1,0 +1,76 @@
+#include "viz/state.h"
+
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+namespace rt::viz
+{
+
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+
+Json triple(const Vec3<double>& v)
+{
+    const auto number = [](double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); };
+    return {number(v.x), number(v.y), number(v.z)};
+}
+
+Json eventJson(const Controller& controller)
+{
+    const auto* event = controller.current();
+    if (!event) return nullptr;
+    return {{"text", describe(controller.tree(), *event)}, {"node", event->node}, {"line", event->line}};
+}
+
+Json comparisonJson(const Controller& controller)
+{
+    const auto* comparison = controller.comparison();
+    if (!comparison) return nullptr;
+    Json first = nullptr;
+    if (const auto& found = comparison->first)
+    {
+        first = {{"path", found->path},         {"field", found->field}, {"expected", found->expected},
+                 {"got", found->got},           {"angle", nullptr},      {"expected_node", found->expectedNode},
+                 {"got_node", found->gotNode}, {"text", describe(*found)}};
+        if (found->angle) first["angle"] = *found->angle;
+    }
+    return {{"with", controller.other().title}, {"nodes", comparison->tree.nodes.size()}, {"first_difference", first}};
+}
+
+} // namespace
+
+std::string stateJson(const Controller& controller)
+{
+    const auto& tree = controller.tree();
+    Json shown = Json::array();
+    for (const auto& node : tree.nodes)
+        if (controller.isReached(node.id) && controller.isShown(node.id)) shown.push_back(node.id);
+    Json kindsShown;
+    for (int kind = 0; kind < kinds; ++kind) kindsShown[name(Kind(kind))] = controller.shows(Kind(kind));
+    const Json state = {{"source", controller.source().title},
+                        {"scene", controller.scene().file},
+                        {"pixel", controller.pixel() ? Json(*controller.pixel()) : Json(nullptr)},
+                        {"max_depth", controller.maxDepth()},
+                        {"nodes", tree.nodes.size()},
+                        {"radiance", tree.nodes.empty() ? Json(nullptr) : triple(tree.nodes[0].radiance)},
+                        {"selected", controller.node() ? Json(controller.selected()) : Json(nullptr)},
+                        {"hovered", controller.hovered() < 0 ? Json(nullptr) : Json(controller.hovered())},
+                        {"step", controller.step()},
+                        {"last_step", controller.lastStep()},
+                        {"event", eventJson(controller)},
+                        {"playing", controller.isPlaying()},
+                        {"shown_nodes", shown},
+                        {"kinds", kindsShown},
+                        {"weakest", controller.weakest()},
+                        {"normals", controller.showsNormals()},
+                        {"help", controller.showsHelp()},
+                        {"look", name(controller.look())},
+                        {"comparison", comparisonJson(controller)},
+                        {"message", controller.message()}};
+    return state.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+} // namespace rt::viz

@@ -1,0 +1,69 @@
+// The recursion as a graph: rays as circles, shadow rays as squares, what was not followed as a barred stub.
+#pragma once
+
+#include <unordered_map>
+
+#include "viz/pane.h"
+#include "viz/raster.h"
+#include "viz/tree_layout.h"
+
+namespace rt::viz
+{
+
+class TreePane : public Pane
+{
+public:
+    explicit TreePane(Controller& watched);
+    bool update(unsigned changes) override;
+    bool click(int x, int y) override;
+    bool drag(int dx, int dy) override;
+    void hover(int x, int y) override;
+    void leave() override;
+    bool wheel(int x, int y, bool forward) override;
+    void dress() override;
+
+    /// Shows the whole tree.
+    void fit();
+    /// Selects the node of this number and brings it to the middle, large enough to read; tells the controller if there is
+    /// none. To be drawn again afterwards.
+    void search(const std::string& digits);
+
+private:
+    /// A text's coverage, so that it need be drawn only once.
+    struct Word
+    {
+        int width = 0, height = 0;
+        std::vector<unsigned char> coverage; ///< cropped to its ink, from the lower left
+    };
+
+    TreeLayout layout;
+    TreeView view;
+    std::vector<int> extra; ///< of each node: rays that only the tree it is compared with sends from there
+    int differing = 0, deepest = 0;
+    bool depthsAreLevels = true;
+    int pointed = -1; ///< item under the pointer
+    bool stale = true;
+    vtkNew<vtkImageData> drawn, patch;
+    std::unordered_map<std::string, Word> words;
+
+    void placed() override;
+    void paint(Canvas& canvas) override;
+    void rebuild();
+    void compare();
+    void redraw();
+    int itemUnder(int x, int y) const;
+    void point(int item);
+    double radius() const;
+    double shadowHalf() const;
+    TreeView::Frame frame() const;
+    const Word& word(const std::string& text, Font font, int size);
+    void paintTitle(Canvas& canvas);
+    void paintLegend(Canvas& canvas);
+    void paintHover(Canvas& canvas);
+    void paintTip(Canvas& canvas, const vec2& at);
+    std::vector<std::string> tip() const;
+
+    friend class TreePainter;
+};
+
+} // namespace rt::viz
