@@ -22,8 +22,7 @@ struct Links
             (node.parent < 0 ? roots : children[std::size_t(node.parent)]).push_back(node.id);
         for (std::size_t i = 0; i < tree.shadows.size(); ++i)
             shadows[std::size_t(tree.shadows[i].node)].push_back(int(i));
-        for (std::size_t i = 0; i < tree.capped.size(); ++i)
-            capped[std::size_t(tree.capped[i].node)].push_back(int(i));
+        for (std::size_t i = 0; i < tree.capped.size(); ++i) capped[std::size_t(tree.capped[i].node)].push_back(int(i));
     }
 };
 
@@ -69,7 +68,8 @@ std::vector<Event> presumedEvents(const RayTree& tree)
 
 std::vector<Event> eventsOf(const RayTree& tree)
 {
-    const bool known = std::all_of(tree.nodes.begin(), tree.nodes.end(), [](const auto& node) { return node.step > 0; });
+    const bool known =
+        std::all_of(tree.nodes.begin(), tree.nodes.end(), [](const auto& node) { return node.step > 0; });
     if (!known) return presumedEvents(tree);
 
     std::vector<std::pair<int, Event>> ordered;
@@ -77,7 +77,8 @@ std::vector<Event> eventsOf(const RayTree& tree)
     {
         ordered.push_back({node.step, {Event::Kind::follow, node.id, -1, node.line}});
         // An exercise that is not finished has not returned.
-        if (node.returnStep > 0) ordered.push_back({node.returnStep, {Event::Kind::returns, node.id, -1, node.returnLine}});
+        if (node.returnStep > 0)
+            ordered.push_back({node.returnStep, {Event::Kind::returns, node.id, -1, node.returnLine}});
     }
     for (std::size_t i = 0; i < tree.shadows.size(); ++i)
     {

@@ -40,7 +40,8 @@ public:
     std::optional<Hit<Real>> intersect(const Ray<Real>& ray, const Formulas& shapes = {}) const;
 
     /// The slides' !IsVisible: is there anything on the open segment from I towards L (unit), shorter than `distance`?
-    /// Glass is something, unless the scene says shadow_through_glass = "tint".
+    /// Glass is something, unless the scene says shadow_through_glass = "tint". A lamp so near that its light does not fit
+    /// Real sits on the point: the point itself is in its way.
     template <class Formulas = Shapes<Real>>
     bool occluded(const Point<Real>& I, const Vec3<Real>& L, Real distance, const Formulas& shapes = {}) const;
 
@@ -71,7 +72,8 @@ private:
     Real brightestReturn() const;
     const Material<Real>& materialOf(PrimitiveId id) const;
 
-    std::vector<PrimitiveId> meshes; ///< the first triangle of each
+    std::vector<PrimitiveId> meshes;                     ///< the first triangle of each
+    Real nearestLamp = std::numeric_limits<Real>::min(); ///< distance²: closer, light may overflow
 
     PrimitiveId firstPlane() const { return PrimitiveId(spheres.size()); }
     PrimitiveId firstTriangle() const { return PrimitiveId(spheres.size() + planes.size()); }
@@ -145,6 +147,10 @@ Scene<Real>::Scene(const SceneDescription& description)
         const std::string name = "light" + std::to_string(lights.size());
         lights.push_back({narrow<Real>(l.position, name + ".position"), narrow<Real>(l.color, name + ".color")});
     }
+    // 64 is more than a highlight adds, even one of the largest exponent.
+    for (const auto& light : lights)
+        nearestLamp = std::max(nearestLamp, largestChannel(light.color) / std::numeric_limits<Real>::max() * 64 *
+                                                Real(lights.size()));
     if (settings.cutoff > 0) brightest = brightestReturn();
 }
 
@@ -199,6 +205,7 @@ template <std::floating_point Real>
 template <class Formulas>
 bool Scene<Real>::occluded(const Point<Real>& I, const Vec3<Real>& L, Real distance, const Formulas& shapes) const
 {
+    if (!(distance * distance >= nearestLamp)) return true;
     const bool throughGlass = settings.shadowThroughGlass == ShadowThroughGlass::tint;
     bool blocked = false;
     visitDistances(Ray<Real>{.O = I, .D = L, .from = I.on}, shapes, [&](PrimitiveId id, Real t) {

@@ -61,7 +61,6 @@ void ChartPane::paintTitle(Canvas& canvas, const Energy& energy)
 {
     const double y = area.height - canvas.px(titleHeight) / 2, pad = canvas.px(16), swatch = canvas.px(10);
     const TextLook look{Font::sans, 12, color::textDim};
-    double x = pad + canvas.text(pad, y, "Energy per depth", {Font::bold, 13, color::text}) + canvas.px(10);
 
     auto said = shareText(energy);
     int shown = energy.broken;
@@ -71,6 +70,10 @@ void ChartPane::paintTitle(Canvas& canvas, const Energy& energy)
     if (energy.broken > 0) said = fmt::format("{} not a number", energy.broken);
     const TextLook strong{Font::sans, 12, energy.broken > 0 ? color::warning : color::text};
     const double wide = canvas.textWidth(said, strong);
+    const TextLook heading{Font::bold, 13, color::text};
+    const std::string title = "Energy per depth";
+    const bool fits = pad + canvas.textWidth(title, heading) + wide + canvas.px(160) < area.width;
+    double x = pad + canvas.text(pad, y, fits ? title : "Energy", heading) + canvas.px(10);
     if (x + wide > area.width - canvas.px(10)) return;
     canvas.text(area.width - canvas.px(14) - wide, y, said, strong);
 
@@ -91,7 +94,8 @@ void ChartPane::paintBars(Canvas& canvas, const Energy& energy)
     const double high = area.height - canvas.px(titleHeight) - base - canvas.px(16);
     if (energy.depths.empty())
     {
-        canvas.text(pad, (area.height - canvas.px(titleHeight)) / 2, "Nothing has been followed yet.",
+        canvas.text(pad, (area.height - canvas.px(titleHeight)) / 2,
+                    energy.broken > 0 ? "No ray has finite numbers." : "Nothing has been followed yet.",
                     {Font::sans, 12, color::textDim});
         return;
     }

@@ -30,8 +30,7 @@ std::optional<int> numberAfter(const std::string& what, const std::string& key)
 
 TreeSource exerciseOf(const LessonEntry& lesson)
 {
-    const auto program =
-        fs::read_symlink("/proc/self/exe").parent_path() / fmt::format("exercise{:02}", lesson.number);
+    const auto program = fs::read_symlink("/proc/self/exe").parent_path() / fmt::format("exercise{:02}", lesson.number);
     if (!fs::exists(program))
         throw std::runtime_error(fmt::format("--compare exercise: {} is not built; ./raytree exercise {} builds it",
                                              program.string(), lesson.number));

@@ -289,8 +289,7 @@ bool Controller::poll()
 
 void Controller::wait()
 {
-    do
-    {
+    do {
         painter.wait();
         tracer.wait();
     } while (poll());

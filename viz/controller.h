@@ -29,7 +29,7 @@ enum Change : unsigned
     changedPicture = 1,
     changedTree = 2,
     changedNode = 4,
-    changedStep = 8,    ///< what has happened so far
+    changedStep = 8,     ///< what has happened so far
     changedOptions = 16, ///< what is shown, and how
     changedHover = 32,
     changedMessage = 64,
@@ -58,7 +58,7 @@ const char* name(Look look); ///< "dark", "light"
 /// Two trees of the same probe.
 struct TreeComparison
 {
-    RayTree tree; ///< of the other source
+    RayTree tree;    ///< of the other source
     TreeMatch match; ///< expected: the controller's own tree; got: this one
     std::optional<TreeDifference> first;
 };

@@ -41,9 +41,10 @@ void makeFolder(const std::string& path)
     std::error_code error;
     fs::create_directories(path, error);
     if (error || !fs::is_directory(path))
-        throw std::runtime_error(fmt::format("{}: expected a folder, or a file that ends in .json, .vtp, .glb, .gltf or "
-                                             ".html; the folder cannot be made{}",
-                                             path, error ? ": " + error.message() : ""));
+        throw std::runtime_error(
+            fmt::format("{}: expected a folder, or a file that ends in .json, .vtp, .glb, .gltf or "
+                        ".html; the folder cannot be made{}",
+                        path, error ? ": " + error.message() : ""));
 }
 
 } // namespace

@@ -9,13 +9,6 @@ namespace rt::viz
 namespace
 {
 
-RayRole roleOf(RayKind kind)
-{
-    return kind == RayKind::camera      ? RayRole::camera
-           : kind == RayKind::reflected ? RayRole::reflected
-                                        : RayRole::transmitted;
-}
-
 /// How far a ray is drawn that does not stop: through the scene and a little further.
 double reach(const vec3& origin, const vec3& direction, const Extent& objects)
 {

@@ -39,8 +39,7 @@ bool fits(const std::string& argument, const std::string& described)
     if (described == "INT") return wholeOf(argument).has_value();
     if (described == "NUMBER") return numberOf(argument).has_value();
     if (described == "FILE" || described == "KEY") return !argument.empty();
-    if (described == "STEP")
-        return argument == "first" || argument == "last" || wholeOf(argument).has_value();
+    if (described == "STEP") return argument == "first" || argument == "last" || wholeOf(argument).has_value();
     return ("|" + described + "|").find("|" + argument + "|") != std::string::npos;
 }
 
@@ -76,15 +75,18 @@ void turn(bool is, const std::string& onOrOff, Toggle&& toggle)
 void selectOrFail(Controller& controller, int id)
 {
     if (id < 0 || std::size_t(id) >= controller.tree().nodes.size())
-        throw std::runtime_error(fmt::format("the tree has no node {}; it has {} nodes, from 0", id,
-                                             controller.tree().nodes.size()));
+        throw std::runtime_error(
+            fmt::format("the tree has no node {}; it has {} nodes, from 0", id, controller.tree().nodes.size()));
     controller.selectNode(id);
 }
 
 const std::vector<CommandKind>& commandKinds()
 {
     static const std::vector<CommandKind> all{
-        {"pick", {"INT", "INT"}, "choose the pixel X Y", false,
+        {"pick",
+         {"INT", "INT"},
+         "choose the pixel X Y",
+         false,
          [](const ScriptHost& host, const Words& w) {
              const auto& camera = host.controller.scene().camera;
              const int x = whole(w[1]), y = whole(w[2]);
@@ -94,68 +96,138 @@ const std::vector<CommandKind>& commandKinds()
              host.controller.choosePixel(x, y);
              host.controller.wait();
          }},
-        {"select", {"INT"}, "select node N", false,
+        {"select",
+         {"INT"},
+         "select node N",
+         false,
          [](const ScriptHost& host, const Words& w) { selectOrFail(host.controller, whole(w[1])); }},
-        {"next", {}, "select the next node", false, [](const ScriptHost& host, const Words&) { host.controller.nextNode(); }},
-        {"previous", {}, "select the node before", false,
+        {"next",
+         {},
+         "select the next node",
+         false,
+         [](const ScriptHost& host, const Words&) { host.controller.nextNode(); }},
+        {"previous",
+         {},
+         "select the node before",
+         false,
          [](const ScriptHost& host, const Words&) { host.controller.previousNode(); }},
-        {"parent", {}, "select the node's parent", false,
+        {"parent",
+         {},
+         "select the node's parent",
+         false,
          [](const ScriptHost& host, const Words&) { host.controller.parentNode(); }},
-        {"difference", {}, "select where the compared trees first differ", false,
+        {"difference",
+         {},
+         "select where the compared trees first differ",
+         false,
          [](const ScriptHost& host, const Words&) { host.controller.selectDifference(); }},
-        {"step", {"STEP"}, "go to event N, or by +N or -N events; first: before all of them; last: after", false,
+        {"step",
+         {"STEP"},
+         "go to event N, or by +N or -N events; first: before all of them; last: after",
+         false,
          [](const ScriptHost& host, const Words& w) { goTo(host.controller, w[1]); }},
-        {"play", {}, "play all events", false,
+        {"play",
+         {},
+         "play all events",
+         false,
          [](const ScriptHost& host, const Words&) {
              host.controller.setPlaying(true);
              while (host.controller.isPlaying()) host.controller.playOn();
          }},
-        {"depth", {"INT"}, "the depth cap: rays deeper than N are not traced", false,
+        {"depth",
+         {"INT"},
+         "the depth cap: rays deeper than N are not traced",
+         false,
          [](const ScriptHost& host, const Words& w) {
              host.controller.setMaxDepth(whole(w[1]));
              host.controller.wait();
          }},
-        {"hide", {"NUMBER"}, "hide rays of less throughput than this share (0 to 1)", false,
+        {"hide",
+         {"NUMBER"},
+         "hide rays of less throughput than this share (0 to 1)",
+         false,
          [](const ScriptHost& host, const Words& w) { host.controller.setWeakest(*numberOf(w[1])); }},
-        {"kind", {"camera|reflected|transmitted|lit|blocked", "on|off"}, "show or hide a kind of rays", false,
+        {"kind",
+         {"camera|reflected|transmitted|lit|blocked", "on|off"},
+         "show or hide a kind of rays",
+         false,
          [](const ScriptHost& host, const Words& w) {
              for (int i = 0; i < kinds; ++i)
                  if (w[1] == name(Kind(i)))
                      turn(host.controller.shows(Kind(i)), w[2], [&] { host.controller.toggle(Kind(i)); });
          }},
-        {"normals", {"on|off"}, "show or hide the normals", false,
+        {"normals",
+         {"on|off"},
+         "show or hide the normals",
+         false,
          [](const ScriptHost& host, const Words& w) {
              turn(host.controller.showsNormals(), w[1], [&] { host.controller.toggleNormals(); });
          }},
-        {"help", {"on|off"}, "show or hide the cheat sheet", false,
+        {"help",
+         {"on|off"},
+         "show or hide the cheat sheet",
+         false,
          [](const ScriptHost& host, const Words& w) {
              turn(host.controller.showsHelp(), w[1], [&] { host.controller.toggleHelp(); });
          }},
-        {"look", {"dark|light"}, "dark or light colours", false,
+        {"look",
+         {"dark|light"},
+         "dark or light colours",
+         false,
          [](const ScriptHost& host, const Words& w) {
              if (w[1] != name(host.controller.look())) host.controller.toggleLook();
          }},
-        {"compare", {"on|off"}, "show or hide what --compare has found", false,
+        {"compare",
+         {"on|off"},
+         "show or hide what --compare has found",
+         false,
          [](const ScriptHost& host, const Words& w) {
              turn(host.controller.comparison() != nullptr, w[1], [&] { host.controller.toggleComparison(); });
          }},
-        {"state", {"FILE"}, "write the state as JSON", false,
+        {"state",
+         {"FILE"},
+         "write the state as JSON",
+         false,
          [](const ScriptHost& host, const Words& w) { writeTextFile(w[1], stateJson(host.controller)); }},
-        {"export", {"FILE"}, "write a .json, .vtp, .glb, .gltf or .html file, or all of them into a folder", false,
+        {"export",
+         {"FILE"},
+         "write a .json, .vtp, .glb, .gltf or .html file, or all of them into a folder",
+         false,
          [](const ScriptHost& host, const Words& w) { host.exportTo(w[1]); }},
-        {"shot", {"FILE"}, "write a picture of the window", true,
+        {"shot",
+         {"FILE"},
+         "write a picture of the window",
+         true,
          [](const ScriptHost& host, const Words& w) { host.shot(w[1]); }},
-        {"key", {"KEY"}, "press a key, named as X11 does: Left, space, bracketleft, n", true,
+        {"key",
+         {"KEY"},
+         "press a key, named as X11 does: Left, space, bracketleft, n",
+         true,
          [](const ScriptHost& host, const Words& w) { host.key(w[1]); }},
-        {"click", {"INT", "INT"}, "click at X Y of the window, from its upper left", true,
+        {"click",
+         {"INT", "INT"},
+         "click at X Y of the window, from its upper left",
+         true,
          [](const ScriptHost& host, const Words& w) { host.click(whole(w[1]), whole(w[2])); }},
-        {"drag", {"INT", "INT", "INT", "INT"}, "drag from X Y to X Y with the left button", true,
+        {"drag",
+         {"INT", "INT", "INT", "INT"},
+         "drag from X Y to X Y with the left button",
+         true,
          [](const ScriptHost& host, const Words& w) { host.drag(whole(w[1]), whole(w[2]), whole(w[3]), whole(w[4])); }},
-        {"hover", {"INT", "INT"}, "move the pointer to X Y", true,
+        {"hover",
+         {"INT", "INT"},
+         "move the pointer to X Y",
+         true,
          [](const ScriptHost& host, const Words& w) { host.hover(whole(w[1]), whole(w[2])); }},
-        {"wheel", {"INT", "INT", "in|out"}, "turn the wheel at X Y", true,
+        {"wheel",
+         {"INT", "INT", "in|out"},
+         "turn the wheel at X Y",
+         true,
          [](const ScriptHost& host, const Words& w) { host.wheel(whole(w[1]), whole(w[2]), w[3] == "in"); }},
-        {"resize", {"INT", "INT"}, "the window's width and height", true,
+        {"resize",
+         {"INT", "INT"},
+         "the window's width and height",
+         true,
          [](const ScriptHost& host, const Words& w) { host.resize(whole(w[1]), whole(w[2])); }},
     };
     return all;
@@ -248,8 +320,9 @@ std::vector<ScriptCommand> parseScript(const std::string& script)
             std::vector<std::string_view> known;
             for (const auto& each : commandKinds()) known.emplace_back(each.name);
             const auto meant = nearestWord(command.words[0], known);
-            throw std::runtime_error(placeOf(command) + "there is no such command" +
-                                     (meant.empty() ? "; --help lists them" : fmt::format("; did you mean \"{}\"?", meant)));
+            throw std::runtime_error(
+                placeOf(command) + "there is no such command" +
+                (meant.empty() ? "; --help lists them" : fmt::format("; did you mean \"{}\"?", meant)));
         }
         bool right = command.words.size() == kind->arguments.size() + 1;
         for (std::size_t i = 0; right && i < kind->arguments.size(); ++i)

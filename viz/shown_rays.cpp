@@ -9,11 +9,13 @@ namespace rt::viz
 RayDrawing shownPart(const RayDrawing& drawing, const Controller& controller)
 {
     const auto isShown = [&](const Segment& segment) {
-        if (segment.shadow >= 0) return controller.isShadowReached(segment.shadow) && controller.isShadowShown(segment.shadow);
+        if (segment.shadow >= 0)
+            return controller.isShadowReached(segment.shadow) && controller.isShadowShown(segment.shadow);
         if (segment.capped >= 0)
         {
             const auto kind = Kind(int(controller.tree().capped[std::size_t(segment.capped)].kind));
-            return controller.isCappedReached(segment.capped) && controller.shows(kind) && controller.isShown(segment.node);
+            return controller.isCappedReached(segment.capped) && controller.shows(kind) &&
+                   controller.isShown(segment.node);
         }
         return controller.isReached(segment.node) && controller.isShown(segment.node);
     };
@@ -28,7 +30,8 @@ RayDrawing shownPart(const RayDrawing& drawing, const Controller& controller)
     }
     part.nodes = int(nodes.size());
     for (const auto& mark : drawing.blockers)
-        if (controller.isShadowReached(mark.shadow) && controller.isShadowShown(mark.shadow)) part.blockers.push_back(mark);
+        if (controller.isShadowReached(mark.shadow) && controller.isShadowShown(mark.shadow))
+            part.blockers.push_back(mark);
     return part;
 }
 

@@ -32,8 +32,8 @@ Json comparisonJson(const Controller& controller)
     Json first = nullptr;
     if (const auto& found = comparison->first)
     {
-        first = {{"path", found->path},         {"field", found->field}, {"expected", found->expected},
-                 {"got", found->got},           {"angle", nullptr},      {"expected_node", found->expectedNode},
+        first = {{"path", found->path},        {"field", found->field},   {"expected", found->expected},
+                 {"got", found->got},          {"angle", nullptr},        {"expected_node", found->expectedNode},
                  {"got_node", found->gotNode}, {"text", describe(*found)}};
         if (found->angle) first["angle"] = *found->angle;
     }

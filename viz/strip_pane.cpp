@@ -314,12 +314,18 @@ bool StripPane::paintLine(Canvas& canvas, double x, double y)
     {
         const auto first = message.substr(0, message.find('\n'));
         const Box box{x, y - height / 2, width, height};
-        canvas.roundedBox(box, canvas.px(6), mix(color::panel, color::warning, 0.16));
+        const bool isCalm = message == notice || message.starts_with("waiting for ");
+        const Rgba ink = isCalm ? color::accent : color::warning;
+        canvas.roundedBox(box, canvas.px(6), mix(color::panel, ink, 0.16));
         const double cx = x + canvas.px(15), half = canvas.px(7);
-        canvas.polygon({{cx, y + half}, {cx + half * 1.1, y - half * 0.85}, {cx - half * 1.1, y - half * 0.85}},
-                       color::warning);
+        if (isCalm)
+            canvas.disc({cx, y}, half, ink);
+        else
+            canvas.polygon({{cx, y + half}, {cx + half * 1.1, y - half * 0.85}, {cx - half * 1.1, y - half * 0.85}},
+                           ink);
         const TextLook mark{Font::bold, 10, color::dark};
-        canvas.text(cx - canvas.textWidth("!", mark) / 2, y - canvas.px(1), "!", mark);
+        const char* sign = isCalm ? "i" : "!";
+        canvas.text(cx - canvas.textWidth(sign, mark) / 2, y - canvas.px(isCalm ? 0 : 1), sign, mark);
         canvas.textWithin(x + canvas.px(30), y, width - canvas.px(38), first, {Font::sans, 12.5, color::text});
         addSpot(box, "", [this] { controller.say(""); });
         return true;

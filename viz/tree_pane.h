@@ -1,11 +1,10 @@
 // The recursion as a graph: rays as circles, shadow rays as squares, what was not followed as a barred stub.
 #pragma once
 
-#include <unordered_map>
-
 #include "viz/pane.h"
 #include "viz/raster.h"
 #include "viz/tree_layout.h"
+#include "viz/words.h"
 
 namespace rt::viz
 {
@@ -29,13 +28,6 @@ public:
     void search(const std::string& digits);
 
 private:
-    /// A text's coverage, so that it need be drawn only once.
-    struct Word
-    {
-        int width = 0, height = 0;
-        std::vector<unsigned char> coverage; ///< cropped to its ink, from the lower left
-    };
-
     TreeLayout layout;
     TreeView view;
     std::vector<int> extra; ///< of each node: rays that only the tree it is compared with sends from there
@@ -44,7 +36,7 @@ private:
     int pointed = -1; ///< item under the pointer
     bool stale = true;
     vtkNew<vtkImageData> drawn, patch;
-    std::unordered_map<std::string, Word> words;
+    Words words;
 
     void placed() override;
     void paint(Canvas& canvas) override;
@@ -56,14 +48,11 @@ private:
     double radius() const;
     double shadowHalf() const;
     TreeView::Frame frame() const;
-    const Word& word(const std::string& text, Font font, int size);
     void paintTitle(Canvas& canvas);
     void paintLegend(Canvas& canvas);
     void paintHover(Canvas& canvas);
     void paintTip(Canvas& canvas, const vec2& at);
     std::vector<std::string> tip() const;
-
-    friend class TreePainter;
 };
 
 } // namespace rt::viz

@@ -17,6 +17,7 @@
 #include "viz/export.h"
 #include "viz/fonts.h"
 #include "viz/script.h"
+#include "viz/state.h"
 #include "viz/tracer_source.h"
 #include "viz/window.h"
 
@@ -32,7 +33,7 @@ constexpr int startLesson = 6;
 struct ViewerOptions : TraceOptions
 {
     std::string lesson; ///< its number; empty: the smallest that is sufficient
-    std::string screenshot, exportTo, script, tracer, compare, record, play;
+    std::string screenshot, exportTo, script, tracer, compare, record, play, state;
     std::string windowSize = "1600x900";
     std::string look = "dark";
     bool force = false;
@@ -79,8 +80,9 @@ SceneDescription sceneOf(const RayTree& tree, std::string& problem)
             }
         }
     if (problem.empty())
-        problem = tree.scene.empty() ? "the tree names no scene: only its rays are shown"
-                                     : fmt::format("the tree's scene {} is not there: only its rays are shown", tree.scene);
+        problem = tree.scene.empty()
+                      ? "the tree names no scene: only its rays are shown"
+                      : fmt::format("the tree's scene {} is not there: only its rays are shown", tree.scene);
     SceneDescription scene;
     if (!tree.nodes.empty() && isFinite(tree.nodes[0].origin) && isFinite(tree.nodes[0].direction))
     {
@@ -211,8 +213,8 @@ int view(const ViewerOptions& options, char** argv)
     const auto [width, height] = windowSize(options.windowSize);
     if (!options.screenshot.empty()) checkWritable(options.screenshot);
     if (!options.exportTo.empty()) checkExport(options.exportTo);
-    const bool isFile = options.script.find_first_of(";\n") == std::string::npos &&
-                        std::filesystem::is_regular_file(options.script);
+    const bool isFile =
+        options.script.find_first_of(";\n") == std::string::npos && std::filesystem::is_regular_file(options.script);
     const auto commands = parseScript(isFile ? readTextFile(options.script) : options.script);
 
     const bool drawn = !options.screenshot.empty() || !options.play.empty() || needsWindow(commands);
@@ -223,10 +225,11 @@ int view(const ViewerOptions& options, char** argv)
     Session session = chooseSession(options, problem);
     if (!display && (drawn || !options.isHeadless()))
     {
-        std::cerr << (drawn ? "viewer: a picture of the window needs a display or the program xvfb-run (Debian's package is "
-                              "xvfb)\n"
-                            : "viewer: there is no display to open a window on; --screenshot FILE.png, --export FOLDER "
-                              "and --script need none\n");
+        std::cerr
+            << (drawn ? "viewer: a picture of the window needs a display or the program xvfb-run (Debian's package is "
+                        "xvfb)\n"
+                      : "viewer: there is no display to open a window on; --screenshot FILE.png, --export FOLDER "
+                        "and --script need none\n");
         return exitNoDisplay;
     }
     Controller controller(std::move(session));
@@ -247,6 +250,7 @@ int view(const ViewerOptions& options, char** argv)
         std::cerr << fmt::format("{}: {}x{} pixels\n", options.screenshot, width, height);
     }
     if (!options.isHeadless()) window().run(options.record);
+    if (!options.state.empty()) writeTextFile(options.state, stateJson(controller));
     return exitDone;
 }
 
@@ -285,6 +289,7 @@ int viewerMain(int argc, char** argv)
     app.add_option("--record", options.record, "write what is done in the window to a file")->type_name("FILE");
     app.add_option("--play", options.play, "do in the window what was recorded; needs the same --size-window")
         ->type_name("FILE");
+    app.add_option("--state", options.state, "at the end, write what is selected and shown as JSON")->type_name("FILE");
     app.add_option("--look", options.look, "colours of the window")
         ->check(CLI::IsMember({"dark", "light"}))
         ->capture_default_str();
@@ -300,8 +305,7 @@ int viewerMain(int argc, char** argv)
                "  viewer 6 --export out               the tree for ParaView, Blender and a browser\n"
                "  viewer 6 --script 'pick 320 240; step 5; state out.json; shot out.png'\n"
                "Commands of a script:\n" +
-               scriptHelp() +
-               "Keys: press h in the window. Exit codes: 0 done, 2 bad input or usage, 3 no display.");
+               scriptHelp() + "Keys: press h in the window. Exit codes: 0 done, 2 bad input or usage, 3 no display.");
     return runMain(app, argc, argv, [&] { return view(options, argv); });
 }
 

@@ -302,6 +302,7 @@ void Window::tick()
 void Window::say(const std::string& message)
 {
     ownMessage = message;
+    strip.notice = message;
     saidAt = Clock::now();
     controller.say(message);
 }
@@ -421,7 +422,7 @@ void Window::saveScreenshot()
     }
     catch (const std::exception& error)
     {
-        say(error.what());
+        controller.say(error.what());
     }
 }
 

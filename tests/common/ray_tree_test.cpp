@@ -215,7 +215,7 @@ TEST(RayTreeJson, NamesThePlaceOfWhatIsWrong)
         {"\"kind\": \"reflected\"", "\"kind\": \"bent\"",
          "nodes[1].kind: expected one of camera, reflected, transmitted"},
         {"\"parent\": 0", "\"parent\": 18446744073709551615", "nodes[1].parent: expected a whole number"},
-        {"\"parent\": 0", "\"parent\": 0.5", "nodes[1].parent: expected a whole number"},
+        {"\"depth\": 1", "\"depth\": 1.5", "nodes[1].depth: expected a whole number"},
         {"\"parent\": -1", "\"parent\": 1", "nodes[0].parent: expected a whole number from -1 to -1"},
         {"\"id\": 1", "\"id\": 0", "nodes[1].id: expected a whole number from 1 to 1"},
         {"\"id\": 1", "\"id\": null", "nodes[1].id: expected a whole number"},
@@ -361,7 +361,7 @@ TEST(RayTreeJson, KeepsATreeWithNumbersThatAreNotFinite)
 TEST(RayTreeJson, KeepsAnyName)
 {
     auto tree = lessons()[1]->inspect(oneMirror(), Precision::doubled, GivenRay{{0, 0, 0}, {0, 0, -1}});
-    for (const std::string name : {"", "\"", "\\", "a\\\"[1, 2]\n{}", "[", "glÄs \t\x01", ", "})
+    for (const std::string name : {"", "\"", "\\", "a\\\"[1,2  3]\n{}", "[", "glÄs \t\x01", ", "})
     {
         tree.scene = tree.source = tree.real = name;
         tree.nodes[0].hit->primitive = tree.nodes[0].hit->material = name;

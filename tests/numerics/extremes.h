@@ -94,8 +94,8 @@ std::vector<Step<Real>> pathOf(const Scene<Real>& scene, const Ray<Real>& ray)
 template <std::floating_point Real>
 Image pictureOf(const SceneDescription& description)
 {
-    return render<lesson08::Tracer<Real>>(Scene<Real>(description), description.camera.width,
-                                          description.camera.height, {});
+    return render<lesson08::Tracer<Real>>(Scene<Real>(description), description.camera.width, description.camera.height,
+                                          {});
 }
 
 inline Material<double> grey(double albedo)
@@ -204,8 +204,5 @@ inline MeshDescription ballMesh(const V& center, double r, int splits)
         for (auto& vertex : triangle) vertex = center + r * vertex;
     return {.file = "ball", .triangles = std::make_shared<const std::vector<Triangle>>(triangles)};
 }
-
-/// Every scene file that comes with the lessons.
-std::vector<std::string> shippedScenes();
 
 } // namespace rt::numerics

@@ -48,17 +48,20 @@ TYPED_TEST(Glass, ABallUnderAUnitSkySendsAllButWhatIsStillInside)
 TYPED_TEST(Glass, LightThatIsTrappedNeverGetsOut)
 {
     using Real = TypeParam;
-    // A whispering gallery: sin1 = 0.8, the critical angle's is 2/3.
+    // A whispering gallery: sin1 = 3/4, the critical angle's is 2/3.
     for (const int d : {0, 1, 2, 5, 8, 64, 1024})
     {
         const Scene<Real> scene(Build().material(glassOf(1.5)).sphere({0, 0, 0}, 1).sky(V(1)).depth(d).scene);
-        const Ray<Real> ray{.O = {Real(0.8), 0, 0}, .D = {0, 0, -1}};
+        const Ray<Real> ray{.O = {Real(0.75), 0, 0}, .D = {0, 0, -1}};
         EXPECT_EQ(colorOf(scene, ray), Vec3<Real>(0)) << "cap " << d;
         const auto path = pathOf(scene, ray);
         ASSERT_EQ(path.size(), std::size_t(d) + 1);
         for (const auto& step : path)
-            EXPECT_NEAR(double(dot(step.ray.D, step.N)), -0.6, double(2 * eps<Real> * Real(d + 4)))
-                << "the angle drifts by less than 2 ulp a bounce";
+        {
+            EXPECT_LE(std::abs(dot(step.ray.D, step.N) + std::sqrt(7.0L) / 4), 2 * eps<Real> * Real(d + 4))
+                << "the angle drifts";
+            EXPECT_LE(std::abs(length(step.ray.D) - 1), 2 * eps<Real>) << "and the length does not";
+        }
     }
 }
 
@@ -72,8 +75,7 @@ TYPED_TEST(Glass, ReflectsTheSameShareFromBothSides)
             const Real cos1 = Real(i) / 1000, n = Real(ratio), cos2 = std::sqrt(Tracer::cosSquared2(cos1, 1, n));
             const Real enters = Tracer::fresnel(cos1, 1, n), leaves = Tracer::fresnel(cos2, n, 1);
             // On the way back cos²1 = 1 - n²(1 - cos²2) cancels.
-            EXPECT_NEAR(double(enters), double(leaves), double(4 * eps<Real> * (1 + n * n / cos1)))
-                << ratio << ", " << double(cos1);
+            EXPECT_LE(std::abs(enters - leaves), 4 * eps<Real> * (1 + n * n / cos1)) << ratio << ", " << double(cos1);
         }
 }
 
@@ -112,7 +114,8 @@ TYPED_TEST(Glass, TotalReflectionBeginsWithinAnUlpOfTheCriticalAngle)
             }
             EXPECT_TRUE(k >= 0 || F == 1);
             EXPECT_LE(F, 1);
-            EXPECT_GE(F, 1 - 8 * n * std::sqrt(std::max<Real>(k, 0)));
+            // From there on it falls as steeply as a square root: 1 - 2 cos2 (n + 1/n) / cos1 to first order.
+            EXPECT_GE(F, 1 - 4 * (n + 1 / n) / cos1 * std::sqrt(std::max<Real>(k, 0)));
             const Real sine = std::sqrt((1 - cos1) * (1 + cos1));
             const auto T = Tracer::refract({sine, -cos1, 0}, N, n, 1);
             EXPECT_EQ(bool(T), k >= 0);
@@ -140,8 +143,10 @@ TYPED_TEST(Glass, AnIndexMatchedBallIsSeenOnlyByItsShadow)
     }
     EXPECT_GT(shadow, 100);
     EXPECT_LT(shadow, 1000);
-    // T = D up to eps / cos1, twice; the flattest ray of this picture decides. Measured: 26, 22, 28 eps.
-    EXPECT_LE(worst, double(64 * eps<Real>));
+    // T = D up to eps / cos1, twice; the flattest ray of this picture decides. Measured: 382, 109 and below 1 eps of the
+    // type (pictures are in double).
+    note("worst_ulp", worst / double(eps<Real>));
+    EXPECT_LE(worst, 1024 * std::max(double(eps<Real>), eps<double>));
     // No reflected ray is ever followed.
     for (const double x : {0.0, 0.5, 0.9, 0.99999})
         for (const auto& step : pathOf<Real>(Scene<Real>(with), {.O = {Real(x), Real(1.25), 4}, .D = {0, 0, -1}}))

@@ -95,9 +95,11 @@ TYPED_TEST(Mirrors, TimeRunsBackwards)
 /// Errors of a path that ought to go round a periodic orbit: how far the n-th hit is from where the orbit has it.
 template <class Real>
 std::vector<long double> driftFrom(const std::vector<Vec3<long double>>& orbit, const SceneDescription& description,
-                                   const Vec3<long double>& start)
+                                   const Vec3<long double>& start,
+                                   const Vec3<long double>& nudge = Vec3<long double>(0))
 {
-    const Ray<Real> ray{.O = Vec3<Real>(start), .D = unit(Vec3<Real>(orbit[0] - start))};
+    const Ray<Real> ray{.O = Vec3<Real>(start),
+                        .D = unit(Vec3<Real>(orbit[0] - start) + eps<Real> * Vec3<Real>(nudge))};
     std::vector<long double> drift;
     for (const auto& step : pathOf(Scene<Real>(description), ray))
         if (step.on != noPrimitive) drift.push_back(apart(step.I, orbit[drift.size() % orbit.size()]));
@@ -112,10 +114,10 @@ void expectGrowth(const std::vector<long double>& drift, long double factor, con
     const double digits = double(std::log10(factor));
     const double horizon = double(-std::log10(eps<Real>)) / digits; // bounces until nothing is left
     std::size_t first = 0;
-    while (first < drift.size() && drift[first] < 32 * eps<Real>) ++first;
+    while (first < drift.size() && drift[first] < 16 * eps<Real>) ++first;
     std::size_t last = first;
-    while (last + 1 < drift.size() && drift[last + 1] < 0.01L) ++last;
-    ASSERT_GT(last, first + 4) << what;
+    while (last + 1 < drift.size() && drift[last + 1] < 0.04L) ++last;
+    ASSERT_GT(last, first + 1) << what;
     const double measured = double(std::log10(drift[last] / drift[first])) / double(last - first);
     EXPECT_NEAR(measured, digits, 0.1 * digits) << what;
     const auto safe = std::size_t(std::max(0.0, horizon - 2 - 1 / digits)); // one digit is kept
@@ -131,7 +133,7 @@ TYPED_TEST(Mirrors, TwoBallsLoseDigitsAsFastAsTheorySays)
     using Real = TypeParam;
     // Along the line of centres (3, 4, 12) / 13 a ray bounces to and fro for ever; an error grows with every bounce by
     // 1 + g + sqrt((1 + g)² - 1), where g is the gap in radii.
-    for (const int gap : {1, 3, 11})
+    for (const double gap : {0.25, 1.0, 3.0})
     {
         const double r = 13.0 / (2 + gap);
         const long double length = 13;
@@ -139,9 +141,10 @@ TYPED_TEST(Mirrors, TwoBallsLoseDigitsAsFastAsTheorySays)
         const std::vector<Vec3<long double>> orbit{(long double)(Real(r)) / length * C,
                                                    (1 - (long double)(Real(r)) / length) * C};
         const auto scene = Build().material(mirror).sphere({0, 0, 0}, r).sphere(V(C), r).depth(200).scene;
-        const auto drift = driftFrom<Real>(orbit, scene, C / 2.0L);
-        const long double g = 1 + gap;
-        expectGrowth<Real>(drift, g + std::sqrt(g * g - 1), ("two balls, gap " + std::to_string(gap)).c_str());
+        // A nudge of some ulp: without it, rounding may keep float on the orbit for ever.
+        const auto drift = driftFrom<Real>(orbit, scene, C / 2.0L, Vec3<long double>(0, -1.5, 0.5));
+        const long double g = 1 + (long double)gap;
+        expectGrowth<Real>(drift, g + std::sqrt(g * g - 1), ("two balls, gap " + cases::text(gap)).c_str());
     }
 }
 
@@ -150,7 +153,7 @@ TYPED_TEST(Mirrors, ThreeBallsLoseDigitsAsFastAsTheorySays)
     using Real = TypeParam;
     // Centres on the three axes are an exact equilateral triangle of side sqrt(2). The orbit that visits all three meets
     // them at 30 degrees; its plane's error grows by s + sqrt(s² - 1), s = 1 + L / (r cos 30°), L from ball to ball.
-    for (const double r : {0.5, 0.25, 0.125})
+    for (const double r : {0.5, 0.375, 0.25})
     {
         const long double side = std::sqrt(2.0L), root3 = std::sqrt(3.0L);
         const Vec3<long double> G(1.0L / 3);
@@ -161,18 +164,13 @@ TYPED_TEST(Mirrors, ThreeBallsLoseDigitsAsFastAsTheorySays)
             C[i] = 1;
             orbit.push_back(C + (long double)r * unit(G - C));
         }
-        const auto scene = Build()
-                               .material(mirror)
-                               .sphere({1, 0, 0}, r)
-                               .sphere({0, 1, 0}, r)
-                               .sphere({0, 0, 1}, r)
-                               .depth(200)
-                               .scene;
+        const auto scene =
+            Build().material(mirror).sphere({1, 0, 0}, r).sphere({0, 1, 0}, r).sphere({0, 0, 1}, r).depth(200).scene;
         const long double between = side - root3 * (long double)r;
         EXPECT_LE(std::abs(between - length(orbit[1] - orbit[0])), 4 * eps<long double>);
         const auto drift = driftFrom<Real>(orbit, scene, (orbit[2] + orbit[0]) / 2.0L);
         const long double s = 1 + between / ((long double)r * root3 / 2);
-        expectGrowth<Real>(drift, s + std::sqrt(s * s - 1), ("three balls, r = " + std::to_string(r)).c_str());
+        expectGrowth<Real>(drift, s + std::sqrt(s * s - 1), ("three balls, r = " + cases::text(r)).c_str());
     }
 }
 

@@ -308,7 +308,9 @@ TEST(SlowSource, AFailureAtTheStartIsSaidNotThrown)
     Session session = mirrorSession();
     session.source.isSlow = true;
     session.source.render = [](const auto&, const auto&) -> Image { throw std::runtime_error("no picture"); };
-    session.source.inspect = [](const auto&, const auto&, const auto&) -> RayTree { throw std::runtime_error("no tree"); };
+    session.source.inspect = [](const auto&, const auto&, const auto&) -> RayTree {
+        throw std::runtime_error("no tree");
+    };
     Controller controller(std::move(session));
     controller.wait();
     EXPECT_EQ(controller.message(), "no tree");

@@ -202,6 +202,7 @@ def check_hostile_address(b):
 def check_odd_trees(b):
     for variant in ("empty", "nan", "huge", "orphans", "large", "hostile"):
         b.open(b.page(variant, GLASS, "6", "420,196", variant))
+        b.check(str(ROOT) not in (b.folder / f"{variant}.html").read_text(), f"{variant}: the page names no folder of this machine")
         b.press(Keys.HOME, Keys.ARROW_RIGHT, Keys.ARROW_DOWN)
         b.check(b.run("return canvas.width > 100 && canvas.height > 100"), f"{variant}: the scene is drawn")
         if variant == "empty":
@@ -269,6 +270,13 @@ def check_layout(b):
             b.equal(b.run("return document.documentElement.dataset.theme"), theme, f"{width} follows the system")
             b.equal(b.run(LAYOUT), [], f"layout of {width}x{height} {theme}")
             b.equal(b.run(CONTRAST), [], f"contrast of {width}x{height} {theme}")
+    b.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
+    b.run("dispatchEvent(new Event('beforeprint'))")
+    b.settle()
+    b.equal(b.run(LAYOUT), [], "layout on paper")
+    b.equal(b.run("return document.documentElement.dataset.theme"), "light", "paper is light")
+    b.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
+    b.run("dispatchEvent(new Event('afterprint'))")
     b.click("#theme")
     b.equal(b.run("return document.documentElement.dataset.theme"), "dark", "the button switches")
     b.check("theme=dark" in b.hash(), "the address keeps the theme")

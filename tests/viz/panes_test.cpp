@@ -78,8 +78,8 @@ TEST(Slider, FindsTheNearestStop)
 TEST(Slider, WithoutLengthIsNoDivisionByZero)
 {
     const Slider slider{.left = 100, .right = 100, .stops = 3};
-    EXPECT_EQ(slider.stopAt(100), 0);
-    EXPECT_EQ(slider.stopAt(200), 3);
+    EXPECT_EQ(slider.at(100), 0);
+    EXPECT_EQ(slider.at(200), 1);
 }
 
 TEST(Slider, HidesNothingAtItsLeftEndAndAllAtItsRight)

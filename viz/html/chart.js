@@ -20,7 +20,8 @@ function layChart() {
     body.append(line);
   }
   const heads = ["depth", "rays", "weight carried", "radiance gathered"].map((text) => make("th", { scope: "col" }, text));
-  const notes = ["Weight: what the pixel would gain if radiance 1 came along every ray of the depth. Radiance: what it does gain from the surfaces they hit. Both as brightness, 0.2126 r + 0.7152 g + 0.0722 b."];
+  const notes = ["Weight: what the pixel would gain if radiance 1 came along every ray of the depth. Radiance: what it does gain " +
+    "from the surfaces they hit. Both as brightness, 0.2126 r + 0.7152 g + 0.0722 b."];
   if (DATA.energy.share) notes.unshift(DATA.energy.share + " of the pixel.");
   if (DATA.energy.grouped) notes.push("The last row stands for all deeper ones.");
   if (DATA.energy.broken) notes.push(`${DATA.energy.broken} rays are left out: a number of theirs is not finite.`);

@@ -1,7 +1,11 @@
 // The tracer's source with the current line lit, as in a debugger.
+// Words of C++, texts, numbers and comments: enough to read by.
+const KEYWORDS = "alignas auto bool break case catch class concept const constexpr continue default do " +
+  "double else enum explicit false float for if inline int namespace operator private " +
+  "public requires return static struct switch template this throw true try typename using void while";
 const WORDS = new RegExp([
   /(\/\/.*)/, /("(?:[^"\\]|\\.)*"|#\w+)/,
-  /\b(alignas|auto|bool|break|case|catch|class|concept|const|constexpr|continue|default|do|double|else|enum|explicit|false|float|for|if|inline|int|namespace|operator|private|public|requires|return|static|struct|switch|template|this|throw|true|try|typename|using|void|while)\b/,
+  new RegExp(`\\b(${KEYWORDS.replaceAll(" ", "|")})\\b`),
   /\b(\d[\w.]*)\b/,
 ].map((part) => part.source).join("|"), "g");
 

@@ -1,7 +1,7 @@
 // Steps, keys, and the first drawing.
 const KEY_HELP = [
   ["← →", "step back, step on"], ["Home End", "first, last step"], ["Space", "play, pause"], ["↑ ↓", "ray before, next ray"],
-  ["Page Up", "parent of the ray"], ["1 - 5", "kinds of rays"], ["n", "normals"], ["r", "whole scene"], ["t", "whole tree"],
+  ["PageUp", "parent of the ray"], ["1 - 5", "kinds of rays"], ["n", "normals"], ["r", "whole scene"], ["t", "whole tree"],
   ["+ -", "zoom"], ["Shift + arrows", "turn the scene, when it has the focus"], ["?", "this help"],
 ];
 
@@ -53,10 +53,13 @@ function start() {
   layCode();
   layChart();
   for (const [keys, what] of KEY_HELP)
-    byId("key-list").append(make("dt", {}, ...keys.split(" ").map((key) => (key === "-" && keys !== "+ -" ? " - " : make("kbd", {}, key)))), make("dd", {}, what));
+    byId("key-list").append(
+      make("dt", {}, ...keys.split(" ").map((key) => (key === "-" && keys !== "+ -" ? " - " : make("kbd", {}, key)))),
+      make("dd", {}, what));
   byId("slider").max = Math.max(1, LAST);
   byId("slider").addEventListener("input", () => step(Number(byId("slider").value)));
-  const buttons = { first: () => step(1), previous: () => step(state.step - 1), play: togglePlay, next: () => step(state.step + 1), last: () => step(LAST), help: toggleHelp };
+  const buttons = { first: () => step(1), previous: () => step(state.step - 1), play: togglePlay, next: () => step(state.step + 1),
+    last: () => step(LAST), help: toggleHelp };
   for (const [id, action] of Object.entries(buttons)) byId(id).addEventListener("click", action);
   byId("close").addEventListener("click", () => byId("keys").close());
   document.addEventListener("keydown", onKey);

@@ -28,7 +28,8 @@ function fillNumbers() {
   const parts = [make("h3", { class: node.kind }, make("span", { class: "key" }, labelOf(node)), rayName(node)), facts];
   if (node.note) parts.push(make("p", { class: "note" }, node.note));
   if (node.formulas) parts.push(...node.formulas.map(formulaBlock));
-  else parts.push(make("p", { class: "aside-note" }, `This page has formulas for the ${DATA.nodes.length - DATA.unexplained} rays that weigh most; this one weighs less.`));
+  else parts.push(make("p", { class: "aside-note" },
+    `This page has formulas for the ${DATA.nodes.length - DATA.unexplained} rays that weigh most; this one weighs less.`));
   pane.replaceChildren(...parts);
 }
 onChange(fillNumbers);

@@ -119,10 +119,12 @@ function squareElement([i, at, down, from], { across, along }) {
   const shadow = DATA.shadows[i], kind = shadow.visible ? "reaches" : "blocked", [x, y] = spot(at, down);
   const beside = from && `M${spot(from, along).join(" ")}L${spot(at - 8, down).join(" ")}`;
   return draw("g", { class: "square " + kind },
-    draw("path", { class: "edge " + kind, "stroke-width": 1.3, d: beside || curve([across, along + 14], [at, down - 8]), ...(shadow.visible ? {} : { "stroke-dasharray": "3 3" }) }),
+    draw("path", { class: "edge " + kind, "stroke-width": 1.3, d: beside || curve([across, along + 14], [at, down - 8]),
+      ...(shadow.visible ? {} : { "stroke-dasharray": "3 3" }) }),
     draw("rect", { x: x - 8, y: y - 8, width: 16, height: 16, rx: 3, "stroke-width": 1.5 }),
     draw("text", { x, y: y + 0.5 }, shadow.visible ? "L" : "×"),
-    draw("title", {}, `shadow ray to light ${shadow.light}: ` + (shadow.visible ? "visible" : "blocked" + (shadow.blocker ? " by " + shadow.blocker : ""))));
+    draw("title", {}, `shadow ray to light ${shadow.light}: ` +
+      (shadow.visible ? "visible" : "blocked" + (shadow.blocker ? " by " + shadow.blocker : ""))));
 }
 
 // A short piece of the ray that was not followed, with a bar across its end.
