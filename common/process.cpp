@@ -170,11 +170,14 @@ bool drain(Descriptor& from, std::string& text, std::size_t most)
     return true;
 }
 
-/// The same for text of which only the end is of interest.
-void drainTail(Descriptor& from, std::string& text)
+/// The same for text of which only the end is of interest; `all` counts what came. False if that is more than `most`.
+bool drainTail(Descriptor& from, std::string& text, std::size_t& all, std::size_t most)
 {
+    const auto before = text.size();
     drain(from, text, text.max_size());
+    all += text.size() - before;
     if (text.size() > 2 * errBytes) text.erase(0, text.size() - errBytes);
+    return all <= most;
 }
 
 /// Until there is something to read, but not for long: somebody may stop us, or the program may end and leave its output to
@@ -236,12 +239,17 @@ ProcessResult runProcess(const std::vector<std::string>& argv, const ProcessLimi
     err.write.close();
 
     ProcessResult result;
+    std::size_t complaints = 0; // bytes of standard error
+    const auto collect = [&] {
+        const bool outFits = drain(out.read, result.out, limits.outputBytes);
+        const bool errFits = drainTail(err.read, result.err, complaints, limits.outputBytes);
+        result.tooMuchOutput = !outFits || !errFits;
+    };
     for (;;)
     {
         // First whether it has ended, then what it wrote: nothing can come after that.
         const bool hasEnded = child.hasEnded();
-        result.tooMuchOutput = !drain(out.read, result.out, limits.outputBytes);
-        drainTail(err.read, result.err);
+        collect();
         result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
         if (result.tooMuchOutput || hasEnded) break;
         result.stopped = limits.stop && *limits.stop;
@@ -256,11 +264,7 @@ ProcessResult runProcess(const std::vector<std::string>& argv, const ProcessLimi
     if (endedByItself && known && WIFSIGNALED(status)) result.signal = WTERMSIG(status);
     // What is still in the pipes; no more than that, should something that left the group go on writing.
     constexpr int buffersInAPipe = 32;
-    for (int i = 0; i < buffersInAPipe && !result.tooMuchOutput; ++i)
-    {
-        result.tooMuchOutput = !drain(out.read, result.out, limits.outputBytes);
-        drainTail(err.read, result.err);
-    }
+    for (int i = 0; i < buffersInAPipe && !result.tooMuchOutput; ++i) collect();
     if (result.err.size() > errBytes) result.err.erase(0, result.err.size() - errBytes);
     return result;
 }

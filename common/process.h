@@ -12,7 +12,7 @@ namespace rt
 struct ProcessLimits
 {
     double seconds = 10;                             ///< of wall time; infinity: no limit
-    std::size_t outputBytes = std::size_t(64) << 20; ///< of standard output
+    std::size_t outputBytes = std::size_t(64) << 20; ///< of standard output, and of standard error
     const std::atomic<bool>* stop = nullptr;         ///< once true, the program is stopped
 };
 

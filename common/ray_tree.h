@@ -125,7 +125,8 @@ std::string toText(const RayTree& tree);
 std::string toJson(const RayTree& tree);
 
 /// Reads what toJson wrote, or another tracer's. Throws std::runtime_error with one sentence that names the place and
-/// what was expected. Accepts at most 64 MiB and 2^20 nodes.
+/// what was expected. Accepts at most 64 MiB and 2^20 entries of each list; numbers that are null become NaN, and a node
+/// without `own` gets what its radiance has beyond its children's.
 RayTree rayTreeFromJson(const std::string& json);
 
 } // namespace rt

@@ -74,7 +74,7 @@ ObjectMeshes objectMeshes(const SceneDescription& scene, const Extent& shown)
 Mesh cameraMesh(const ImagePlane& plane, double thickness)
 {
     Mesh mesh;
-    const Rgba edge{120, 140, 165}, frame{190, 205, 222};
+    const Rgba edge = color::textFaint, frame = color::textDim;
     const vec3 corners[] = {plane.at(0, 0), plane.at(1, 0), plane.at(1, 1), plane.at(0, 1)};
     for (int i = 0; i < 4; ++i)
     {

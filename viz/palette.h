@@ -44,13 +44,6 @@ constexpr RayRole rayRole(RayKind kind)
                                         : RayRole::transmitted;
 }
 
-constexpr RayRole roleOf(RayKind kind)
-{
-    return kind == RayKind::camera      ? RayRole::camera
-           : kind == RayKind::reflected ? RayRole::reflected
-                                        : RayRole::transmitted;
-}
-
 constexpr bool isRay(RayRole role)
 {
     return role == RayRole::camera || role == RayRole::reflected || role == RayRole::transmitted;

@@ -46,7 +46,7 @@ struct Drawer
 
     void addRay(const RayTree::Node& node)
     {
-        Segment segment{.role = roleOf(node.kind), .node = node.id, .from = node.origin};
+        Segment segment{.role = rayRole(node.kind), .node = node.id, .from = node.origin};
         segment.weight = std::clamp(largestChannel(node.throughput), 0.0, 1.0);
         const double longest = reach(node.origin, node.direction, objects) + 6 * objects.radius;
         if (node.hit && node.hit->t <= longest)
@@ -104,7 +104,7 @@ struct Drawer
         const auto& capped = tree.capped[std::size_t(index)];
         const auto& node = tree.nodes[std::size_t(capped.node)];
         if (!node.hit || capped.weight == 0) return;
-        add({.role = roleOf(capped.kind),
+        add({.role = rayRole(capped.kind),
              .node = capped.node,
              .capped = index,
              .from = node.hit->point,

@@ -89,8 +89,7 @@ private:
         for (std::size_t i = 0; i < lights.size() && i < 12; ++i)
             if (const auto at = lightAnchor(int(i)))
             {
-                auto& label = add(fmt::format("light {}", i),
-                                  {Font::sans, 12.5, mix(lightColor(lights[i]), color::text, 0.4)}, 80);
+                auto& label = add(fmt::format("light {}", i), {Font::sans, 12.5, color::text}, 80);
                 label.plate = color::dark.withAlpha(0.55);
                 label.request.anchors = {*at};
                 // Beside the ball, not over it.

@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include <fmt/format.h>
 
 #include "viz/scene_labels.h"
-#include "viz/strip_pane.h"
 
 namespace rt::viz
 {
@@ -66,27 +64,43 @@ Box drawLegend(Canvas& canvas, const OverlayInput& input)
     if (has(models, Feature::mirror) || has(models, Feature::fresnel))
         entries.push_back({RayRole::reflected, "reflected"});
     if (has(models, Feature::refraction)) entries.push_back({RayRole::transmitted, "transmitted"});
-    entries.push_back({RayRole::reaches, "shadow ray, light reached"});
+    entries.push_back({RayRole::reaches, "shadow ray"});
     entries.push_back({RayRole::blocked, "blocked"});
-    if (input.controller.comparison()) entries.push_back({RayRole::other, "the other tree's"});
+    if (input.controller.comparison()) entries.push_back({RayRole::other, "other tree"});
     if (input.controller.showsNormals()) entries.push_back({RayRole::normal, "normal"});
 
     const TextLook look{Font::sans, 12.5, color::textDim};
-    const double height = canvas.px(30), y = canvas.px(14) + height / 2, left = canvas.px(14);
+    const double left = canvas.px(14), pad = canvas.px(14), gap = canvas.px(20), row = canvas.px(25);
     const auto widthOf = [&](const Entry& entry) {
-        return canvas.px(36 + 8) + canvas.textWidth(entry.text, look) + canvas.px(20);
+        return canvas.px(36 + 8) + canvas.textWidth(entry.text, look) + gap;
     };
-    double width = canvas.px(6);
-    std::size_t shown = 0;
-    while (shown < entries.size() && left + width + widthOf(entries[shown]) < input.width - canvas.px(14))
-        width += widthOf(entries[shown++]);
-    const Box box{left, y - height / 2, width, height};
-    canvas.roundedBox(box, canvas.px(8), color::dark.withAlpha(0.72));
-    double x = left + canvas.px(14);
-    for (std::size_t i = 0; i < shown; ++i)
+    // In rows: a narrow pane has more of them.
+    struct Place
     {
-        x = drawSample(canvas, x, y, entries[i].role) + canvas.px(8);
-        x += canvas.text(x, y, entries[i].text, look) + canvas.px(20);
+        double x;
+        int row;
+    };
+    std::vector<Place> places;
+    double x = 0, widest = 0;
+    int rows = 1;
+    for (const auto& entry : entries)
+    {
+        if (x > 0 && left + 2 * pad + x + widthOf(entry) > input.width)
+        {
+            x = 0;
+            ++rows;
+        }
+        places.push_back({x, rows - 1});
+        x += widthOf(entry);
+        widest = std::max(widest, x - gap);
+    }
+    const Box box{left, canvas.px(14), widest + 2 * pad, rows * row + canvas.px(5)};
+    canvas.roundedBox(box, canvas.px(8), color::dark.withAlpha(0.72));
+    for (std::size_t i = 0; i < entries.size(); ++i)
+    {
+        const double y = box.y + box.height - canvas.px(2.5) - (places[i].row + 0.5) * row;
+        const double end = drawSample(canvas, left + pad + places[i].x, y, entries[i].role);
+        canvas.text(end + canvas.px(8), y, entries[i].text, look);
     }
     return box;
 }
@@ -103,8 +117,10 @@ Box drawAxes(Canvas& canvas, const OverlayInput& input)
         const char* name;
         Rgba color;
     };
-    std::vector<Axis> axes{
-        {{1, 0, 0}, "x", {240, 128, 128}}, {{0, 1, 0}, "y", {144, 214, 144}}, {{0, 0, 1}, "z", {130, 170, 255}}};
+    const bool isDark = input.controller.look() == Look::dark;
+    std::vector<Axis> axes{{{1, 0, 0}, "x", isDark ? Rgba{240, 128, 128} : Rgba{176, 32, 40}},
+                           {{0, 1, 0}, "y", isDark ? Rgba{144, 214, 144} : Rgba{24, 110, 40}},
+                           {{0, 0, 1}, "z", isDark ? Rgba{130, 170, 255} : Rgba{28, 72, 190}}};
     std::sort(axes.begin(), axes.end(),
               [&](const Axis& a, const Axis& b) { return dot(a.direction, towards) < dot(b.direction, towards); });
     canvas.disc({cx, cy}, canvas.px(43), color::dark.withAlpha(0.5));
@@ -119,29 +135,10 @@ Box drawAxes(Canvas& canvas, const OverlayInput& input)
     return {cx - canvas.px(42), cy - canvas.px(42), canvas.px(84), canvas.px(84)};
 }
 
-void drawHelp(Canvas& canvas, const OverlayInput& input)
-{
-    canvas.fill({0, 0, double(input.width), double(input.height)}, color::dark.withAlpha(0.82));
-    const double row = canvas.px(29);
-    double y = input.height / 2.0 + row * double(keyHelp().size()) / 2;
-    const double left = std::max(canvas.px(24), input.width / 2.0 - canvas.px(330)), column = canvas.px(150);
-    canvas.text(left, y, "Keys and mouse", {Font::bold, 18, color::text});
-    y -= 1.4 * row;
-    for (const auto& help : keyHelp())
-    {
-        double x = left;
-        std::istringstream keys(help.keys);
-        for (std::string key; keys >> key;) x = drawKey(canvas, x, y, key, 13) + canvas.px(4);
-        canvas.text(left + column, y, help.what, {Font::sans, 14, color::text});
-        y -= row;
-    }
-}
-
 } // namespace
 
 void paintSceneOverlay(Canvas& canvas, const OverlayInput& input)
 {
-    if (input.controller.showsHelp()) return drawHelp(canvas, input);
     std::vector<Box> taken{drawLegend(canvas, input), drawAxes(canvas, input)};
     if (const auto all = input.controller.tree().nodes.size(); std::size_t(input.drawing.nodes) < all)
     {

@@ -99,7 +99,7 @@ void TitlePane::paintComparison(Canvas& canvas, double height)
     x += canvas.textWithin(x, y, area.width - x - pad, name, {Font::bold, 13, other}) + canvas.px(14);
     if (!comparison->first)
     {
-        canvas.textWithin(x, y, area.width - x - pad, "both trees are the same", plain);
+        canvas.textWithin(x, y, area.width - x - pad, "both trees agree", plain);
         return;
     }
     // The way to it is a key away, if there is room to say so.

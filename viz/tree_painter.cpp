@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "viz/labels.h"
 #include "viz/node_text.h"
 
 namespace rt::viz
@@ -93,8 +94,8 @@ private:
 
     RayRole role(const TreeItem& it) const
     {
-        if (it.kind == ItemKind::ray) return roleOf(nodeOf(it).kind);
-        if (it.kind == ItemKind::notFollowed) return roleOf(tree.capped[std::size_t(it.index)].kind);
+        if (it.kind == ItemKind::ray) return rayRole(nodeOf(it).kind);
+        if (it.kind == ItemKind::notFollowed) return rayRole(tree.capped[std::size_t(it.index)].kind);
         return tree.shadows[std::size_t(it.index)].visible ? RayRole::reaches : RayRole::blocked;
     }
 

@@ -193,18 +193,19 @@ private:
     std::unique_ptr<Window> window;
 };
 
-ScriptHost scriptHost(Controller& controller, LateWindow& window, int height)
+ScriptHost scriptHost(Controller& controller, LateWindow& window)
 {
     ScriptHost host{.controller = controller};
     host.exportTo = [&](const std::string& path) { exportAndTell(path, controller); };
     host.shot = [&](const std::string& file) { writeImage(window().picture(), file); };
     host.key = [&](const std::string& key) { window().press(key); };
-    host.click = [&, height](int x, int y) { window().click(x, height - 1 - y); };
-    host.drag = [&, height](int fromX, int fromY, int toX, int toY) {
-        window().dragFrom(fromX, height - 1 - fromY, toX, height - 1 - toY);
-    };
-    host.hover = [&, height](int x, int y) { window().hover(x, height - 1 - y); };
-    host.wheel = [&, height](int x, int y, bool forward) { window().wheel(x, height - 1 - y, forward); };
+    // VTK counts from the lower left corner.
+    const auto up = [&](int y) { return window().heightInPixels() - 1 - y; };
+    host.click = [&, up](int x, int y) { window().click(x, up(y)); };
+    host.drag = [&, up](int fromX, int fromY, int toX, int toY) { window().dragFrom(fromX, up(fromY), toX, up(toY)); };
+    host.hover = [&, up](int x, int y) { window().hover(x, up(y)); };
+    host.wheel = [&, up](int x, int y, bool forward) { window().wheel(x, up(y), forward); };
+    host.resize = [&](int width, int height) { window().resize(width, height); };
     return host;
 }
 
@@ -242,7 +243,7 @@ int view(const ViewerOptions& options, char** argv)
     // Replayed events need a window that can be clicked.
     LateWindow window(controller, width, height, !options.isHeadless() || !options.play.empty());
     if (!options.play.empty()) window().replay(options.play);
-    runScript(commands, scriptHost(controller, window, height));
+    runScript(commands, scriptHost(controller, window));
     if (!options.exportTo.empty()) exportAndTell(options.exportTo, controller);
     if (!options.screenshot.empty())
     {

@@ -40,6 +40,7 @@ public:
     /// What the window shows.
     Image picture();
     void resize(int width, int height);
+    int heightInPixels() const { return height; }
 
     /// What key e does, if anything.
     std::function<void()> exportAll;

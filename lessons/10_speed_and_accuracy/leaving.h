@@ -45,7 +45,7 @@ struct RelativeOffset : AnyPositive
     template <std::floating_point Real>
     static Point<Real> leave(Point<Real> I, const Vec3<Real>& N)
     {
-        const Vec3<Real> size = abs(I);
+        const Vec3<Real> size = abs(Vec3<Real>(I));
         I += Real(1e-4) * std::max({size.x, size.y, size.z}) * N;
         I.on = noPrimitive;
         return I;

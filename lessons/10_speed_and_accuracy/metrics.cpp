@@ -32,6 +32,11 @@ Errors errorsAgainst(const Image& image, const Image& reference)
     return errors;
 }
 
+int pixelsOff(const Image& image, const Image& reference, double tolerance)
+{
+    return compare(image, reference, tolerance, 0).wrong;
+}
+
 Rays raysAgainst(const std::vector<PixelFacts>& facts, const std::vector<PixelFacts>& reference)
 {
     Rays rays;

@@ -23,6 +23,9 @@ struct Errors
 /// Both have the same size.
 Errors errorsAgainst(const Image& image, const Image& reference);
 
+/// The pixels with a channel that is not within the tolerance of the reference's.
+int pixelsOff(const Image& image, const Image& reference, double tolerance);
+
 /// What the rays of a picture did, against those of the reference.
 struct Rays
 {

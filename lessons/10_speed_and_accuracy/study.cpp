@@ -1,5 +1,6 @@
 #include "study.h"
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <mutex>
@@ -67,6 +68,39 @@ void markFronts(std::vector<Row>& rows)
     for (const auto i : paretoFront(many)) rows[i].manyFront = true;
 }
 
+SceneStudy overAll(const std::vector<SceneStudy>& studies)
+{
+    SceneStudy all{.scene = {}, .name = "all"};
+    all.manySamples = studies.empty() ? 0 : studies[0].manySamples;
+    const auto find = [](const SceneStudy& one, const Setting& setting) {
+        return std::find_if(one.rows.begin(), one.rows.end(), [&](const Row& r) { return r.setting == setting; });
+    };
+    const auto add = [&](const Row& like) {
+        Row row{.knob = like.knob, .setting = like.setting};
+        row.errors.psnr = row.manyErrors.psnr = infinity<double>;
+        double logarithms = 0, rays = 0;
+        for (const auto& one : studies)
+        {
+            const auto own = find(one, like.setting);
+            const Row& its = own == one.rows.end() ? one.rows[0] : *own;
+            logarithms += std::log(its.nsPerPixel());
+            rays += std::log(its.rays.perPixel);
+            row.errors.psnr = std::min(row.errors.psnr, its.errors.psnr);
+            row.manyErrors.psnr = std::min(row.manyErrors.psnr, its.manyErrors.psnr);
+        }
+        const double scenes = double(studies.size());
+        row.pixels = 1;
+        row.cpuSeconds = std::exp(logarithms / scenes) * 1e-9;
+        row.rays.perPixel = std::exp(rays / scenes);
+        all.rows.push_back(row);
+    };
+    for (const auto& one : studies)
+        for (const auto& row : one.rows)
+            if (find(all, row.setting) == all.rows.end()) add(row);
+    markFronts(all.rows);
+    return all;
+}
+
 std::optional<SceneStudy> study(const SceneDescription& scene, const Plan& plan, const Progress& progress,
                                 const std::atomic<bool>& stop)
 {
@@ -80,7 +114,7 @@ std::optional<SceneStudy> study(const SceneDescription& scene, const Plan& plan,
     };
     result.reference.setting = referenceSetting(measured, plan.quick ? 200 : 1000);
     const auto best = prepare(measured, result.reference.setting);
-    const RenderOptions all{.stop = &stop};
+    const RenderOptions all{.progress = {}, .stop = &stop};
     result.reference.image = best->render(all);
     result.reference.facts = *best->inspect(1, false, std::numeric_limits<std::int64_t>::max(), stop);
     // Beside the aliasing of one sample, rounding and depths beyond 16 are nothing: double will do.
@@ -107,6 +141,7 @@ std::optional<SceneStudy> study(const SceneDescription& scene, const Plan& plan,
             Pass pass = subjects[i]->timedPass(1, stop);
             row.cpuSeconds = std::min(row.cpuSeconds, pass.cpuSeconds);
             row.image = std::move(pass.image);
+            row.pixels = row.image.pixels.size();
             ++row.rounds;
         }
         report(0.3 + 0.5 * (round + 1) / plan.rounds);

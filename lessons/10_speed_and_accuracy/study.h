@@ -32,15 +32,16 @@ struct Row
     Setting setting;
     double cpuSeconds = 0; ///< the minimum of all rounds
     int rounds = 0;
-    Errors errors;     ///< against the reference with the same samples
-    Errors manyErrors; ///< against the reference with many samples
-    Rays rays;
-    Image image;
+    Errors errors{};     ///< against the reference with the same samples
+    Errors manyErrors{}; ///< against the reference with many samples
+    Rays rays{};
+    Image image{};
+    std::size_t pixels = 0;
     bool front = false, manyFront = false; ///< on the Pareto front of time and PSNR, of either kind
 
     double nsPerPixel() const
     {
-        return cpuSeconds * 1e9 / double(image.pixels.size());
+        return cpuSeconds * 1e9 / double(pixels);
     }
     double nsPerRay() const
     {
@@ -52,7 +53,7 @@ struct Row
 struct Reference
 {
     Setting setting;
-    Image image; ///< with the samples of the setting that is judged: 1
+    Image image{}; ///< with the samples of the setting that is judged: 1
     std::vector<PixelFacts> facts;
 };
 
@@ -60,10 +61,10 @@ struct SceneStudy
 {
     SceneDescription scene; ///< as it was measured
     std::string name;       ///< "classic"
-    Reference reference;
-    Image many; ///< with manySamples samples a pixel
+    Reference reference{};
+    Image many{}; ///< with manySamples samples a pixel
     int manySamples = 0;
-    std::vector<Row> rows; ///< the first is the baseline
+    std::vector<Row> rows{}; ///< the first is the baseline
 };
 
 /// Time units that progress is reported in; `share` in [0, 1].
@@ -81,6 +82,10 @@ std::optional<SceneStudy> study(const SceneDescription& scene, const Plan& plan,
 
 /// Marks the rows that no other dominates.
 void markFronts(std::vector<Row>& rows);
+
+/// All scenes as one: of each setting the geometric mean of the times and the worst PSNR. A scene that has no use for a
+/// setting counts with its baseline.
+SceneStudy overAll(const std::vector<SceneStudy>& studies);
 
 /// The scene with its picture scaled to another size.
 SceneDescription resized(SceneDescription scene, int width, int height);

@@ -2,6 +2,7 @@
 // in the tracer's own type.
 #pragma once
 
+#include <map>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -19,28 +20,23 @@ using Precisions = testing::Types<float, double, long double>; ///< the last is 
 template <std::floating_point Real>
 inline constexpr Real eps = std::numeric_limits<Real>::epsilon();
 
-template <std::floating_point Real>
-constexpr Precision precisionOf()
-{
-    if constexpr (std::is_same_v<Real, float>) return Precision::floating;
-    if constexpr (std::is_same_v<Real, double>) return Precision::doubled;
-    return Precision::longDouble;
-}
-
-/// got = expected, up to `ulps` units in the last place of expected in Real.
-template <std::floating_point Real>
-testing::AssertionResult near(Real got, long double expected, double ulps)
-{
-    const long double error = std::abs((long double)got - expected) / eps<Real>;
-    if (error <= ulps * std::abs(expected)) return testing::AssertionSuccess();
-    return testing::AssertionFailure() << "expected " << double(expected) << ", got " << double(got) << ": "
-                                       << double(error / std::abs(expected)) << " ulp off, " << ulps << " may";
-}
-
 /// A figure worth knowing: --gtest_output=xml shows it beside the test.
 inline void note(const std::string& what, double measured)
 {
     testing::Test::RecordProperty(what, fmt::format("{:.3g}", measured));
+}
+
+/// got = expected, up to `ulps` units in the last place of expected in Real. Notes the worst of the test.
+template <std::floating_point Real>
+testing::AssertionResult near(Real got, long double expected, double ulps)
+{
+    const double error = double(std::abs((long double)got - expected) / (eps<Real> * std::abs(expected)));
+    static std::map<const testing::TestInfo*, double> worst;
+    auto& most = worst[testing::UnitTest::GetInstance()->current_test_info()];
+    if (error > most) note("worst_ulp", most = error);
+    if (error <= ulps || (long double)got == expected) return testing::AssertionSuccess();
+    return testing::AssertionFailure() << "expected " << double(expected) << ", got " << double(got) << ": " << error
+                                       << " ulp off, " << ulps << " may";
 }
 
 /// The largest component of a - b.

@@ -130,7 +130,7 @@ TEST(Listing, CommentsGoOnUntilTheyEnd)
 {
     const auto listing = listingOf("a /* b\nint c\nd */ int e");
     EXPECT_EQ(listing.inked[1], (std::vector<InkedText>{{Ink::comment, "int c"}}));
-    ASSERT_EQ(listing.inked[2].size(), 2U);
+    ASSERT_EQ(listing.inked[2].size(), 3U);
     EXPECT_EQ(listing.inked[2][0], (InkedText{Ink::comment, "d */ "}));
     EXPECT_EQ(listing.inked[2][1].ink, Ink::type);
 }
