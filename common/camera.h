@@ -18,7 +18,7 @@ public:
         // In float, eye and target may round to the same point.
         using Vec = Vec3<Wide<Real>>;
         forward = Vec3<Real>(unit(Vec(description.target) - Vec(description.eye)));
-        right = unit(cross(forward, unit(Vec3<Real>(unit(Vec(description.up))))));
+        right = unit(cross(forward, Vec3<Real>(unit(Vec(description.up)))));
         above = cross(right, forward);
         const Real degree = Real(3.14159265358979323846264338327950288L) / 180;
         halfHeight = std::tan(Real(description.verticalFov) * degree / 2);

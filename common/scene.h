@@ -205,7 +205,7 @@ template <std::floating_point Real>
 template <class Formulas>
 bool Scene<Real>::occluded(const Point<Real>& I, const Vec3<Real>& L, Real distance, const Formulas& shapes) const
 {
-    if (!(distance * distance >= nearestLamp)) return true;
+    if (distance * distance > 0 && distance * distance < nearestLamp) return true;
     const bool throughGlass = settings.shadowThroughGlass == ShadowThroughGlass::tint;
     bool blocked = false;
     visitDistances(Ray<Real>{.O = I, .D = L, .from = I.on}, shapes, [&](PrimitiveId id, Real t) {

@@ -16,8 +16,7 @@ namespace rt::viz
 
 void Canvas::apply(const TextLook& look)
 {
-    property->SetFontFamily(VTK_FONT_FILE);
-    property->SetFontFile(fontFile(look.font).c_str());
+    useFont(property, look.font);
     property->SetFontSize(std::max(6, int(std::lround(px(look.size)))));
     property->SetColor(look.color.r / 255.0, look.color.g / 255.0, look.color.b / 255.0);
     property->SetOpacity(look.color.a / 255.0);

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include <vtkTextProperty.h>
+
 namespace rt::viz
 {
 
@@ -13,10 +15,11 @@ enum class Font
     mono
 };
 
-/// Its file. Throws std::runtime_error with one sentence if it is not installed.
-const std::string& fontFile(Font font);
+/// Sets the font alone. Its file is looked for where distributions put DejaVu, or in the folder RAYTREE_FONTS; without it
+/// VTK's own font is taken.
+void useFont(vtkTextProperty* property, Font font);
 
-/// Throws if a font is missing. To be called before anything is drawn: it also makes VTK keep all fonts.
-void checkFonts();
+/// To be called before anything is drawn: makes VTK keep all fonts. One sentence if a font is missing, else empty.
+std::string prepareFonts();
 
 } // namespace rt::viz

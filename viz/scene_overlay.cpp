@@ -33,6 +33,12 @@ double drawSample(Canvas& canvas, double x, double y, RayRole role)
             canvas.fill({dash, y - stroke / 2, canvas.px(3.4), stroke}, color);
         return tip;
     }
+    if (role == RayRole::other)
+    {
+        for (double dash = x; dash < tip; dash += canvas.px(8))
+            canvas.fill({dash, y - stroke / 2, canvas.px(5), stroke}, color);
+        return tip;
+    }
     double end = tip;
     cone(end);
     end -= head;

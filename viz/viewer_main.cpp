@@ -15,7 +15,6 @@
 #include "viz/choose_source.h"
 #include "viz/display.h"
 #include "viz/export.h"
-#include "viz/fonts.h"
 #include "viz/script.h"
 #include "viz/state.h"
 #include "viz/tracer_source.h"
@@ -180,7 +179,6 @@ public:
     Window& operator()()
     {
         if (window) return *window;
-        checkFonts();
         window = std::make_unique<Window>(controller, width, height, onScreen);
         window->exportAll = [this] { exportAndTell("raytree-export", controller); };
         return *window;

@@ -23,7 +23,7 @@ constexpr std::size_t mostDigits = 7;
 /// Panes make what they draw when they are made: fonts and colours must be right before.
 Controller& dressed(Controller& controller)
 {
-    checkFonts();
+    if (const auto problem = prepareFonts(); !problem.empty()) controller.say(problem);
     useLook(controller.look());
     return controller;
 }

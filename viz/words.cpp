@@ -21,8 +21,7 @@ const Words::Word& Words::operator()(const std::string& text, Font font, int siz
     auto& word = entry->second;
     if (!isNew) return word;
     vtkNew<vtkTextProperty> property;
-    property->SetFontFamily(VTK_FONT_FILE);
-    property->SetFontFile(fontFile(font).c_str());
+    useFont(property, font);
     property->SetFontSize(size);
     property->SetColor(1, 1, 1);
     vtkNew<vtkImageData> image;

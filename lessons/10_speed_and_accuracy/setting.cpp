@@ -115,7 +115,7 @@ std::vector<KnobSetting> knobsAlone(const SceneDescription& scene, int mostSampl
     if (branches(scene))
     {
         for (const int depth : {1, 2, 3, 4, 6, 16, 32, 64}) add("depth", {.depth = depth});
-        for (const double cutoff : {0.0, 1e-4, 1.0 / 255, 1e-2}) add("cutoff", {.cutoff = cutoff});
+        for (const double cutoff : {0.0, 1e-4, 0.004, 1e-2}) add("cutoff", {.cutoff = cutoff});
         for (const int depth : {2, 4, 6}) add("mixture", {.scalar = Scalar::floating, .depth = depth, .cutoff = 1e-2});
         add("mixture", {.depth = 64, .cutoff = 1e-4});
         add("mixture", {.depth = 16, .cutoff = 0});

@@ -55,14 +55,16 @@ Setting referenceSetting(const SceneDescription& scene, int mostRays)
 
 void markFronts(std::vector<Row>& rows)
 {
+    // What no table shows is no gain: a hundredth of a dB.
+    const auto rounded = [](double decibels) { return std::round(decibels * 10) / 10; };
     std::vector<Cost> same, many;
     for (auto& row : rows)
     {
         row.front = row.manyFront = false;
         // With more samples the picture is another one: not comparable with the reference of one.
-        same.push_back(
-            {row.cpuSeconds, row.setting.spp == 1 ? row.errors.psnr : std::numeric_limits<double>::quiet_NaN()});
-        many.push_back({row.cpuSeconds, row.manyErrors.psnr});
+        same.push_back({row.cpuSeconds,
+                        row.setting.spp == 1 ? rounded(row.errors.psnr) : std::numeric_limits<double>::quiet_NaN()});
+        many.push_back({row.cpuSeconds, rounded(row.manyErrors.psnr)});
     }
     for (const auto i : paretoFront(same)) rows[i].front = true;
     for (const auto i : paretoFront(many)) rows[i].manyFront = true;

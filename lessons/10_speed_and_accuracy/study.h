@@ -80,7 +80,7 @@ Setting referenceSetting(const SceneDescription& scene, int mostRays);
 std::optional<SceneStudy> study(const SceneDescription& scene, const Plan& plan, const Progress& progress,
                                 const std::atomic<bool>& stop);
 
-/// Marks the rows that no other dominates.
+/// Marks the rows that no other dominates; accuracies that differ by less than 0.1 dB count as equal.
 void markFronts(std::vector<Row>& rows);
 
 /// All scenes as one: of each setting the geometric mean of the times and the worst PSNR. A scene that has no use for a

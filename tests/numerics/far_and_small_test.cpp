@@ -68,9 +68,10 @@ TYPED_TEST(FarAndSmall, NormalsAreAsExactAsTheirType)
     for (int i = 0; i < 200; ++i)
     {
         const V a = random.vector(-9, 9), b = random.vector(-9, 9), c = random.vector(-9, 9);
-        const Scene<Real> scene(Build().plane(a, b * random.power10(-300, 300)).triangle(a, b, c).scene);
+        const V normal = b * random.power10(-300, 300);
+        const Scene<Real> scene(Build().plane(a, normal).triangle(a, b, c).scene);
         const Vec3<long double> A(a), B(b), C(c);
-        EXPECT_LE(apart(scene.planes[0].N, unit(B)), 2 * eps<Real>);
+        EXPECT_LE(apart(scene.planes[0].N, unit(Vec3<long double>(normal))), 2 * eps<Real>);
         // A sliver magnifies the rounding of its edges.
         const long double sine = length(cross(unit(B - A), unit(C - A)));
         EXPECT_LE(apart(scene.triangles[0].N, unit(cross(B - A, C - A))), 4 * eps<Real> / sine);

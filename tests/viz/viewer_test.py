@@ -82,6 +82,12 @@ class Viewer(unittest.TestCase):
         self.assertTrue(all(p.startswith(b"\x89PNG") for p in pictures))
         self.assertNotEqual(*pictures)
 
+    def test_without_its_fonts_the_view_still_has_text(self):
+        fonts = {**NO_DISPLAY, "RAYTREE_FONTS": str(self.here)}
+        done = subprocess.run([VIEWER, "2", "--script", "shot a.png; state s.json"], capture_output=True, cwd=self.here, env=fonts)
+        self.assertEqual(done.returncode, 0, done.stderr.decode())
+        self.assertIn("fonts-dejavu-core", json.loads((self.here / "s.json").read_text())["message"])
+
     def test_all_formats_are_exported_without_a_display(self):
         self.view(6, "--export", "out")
         files = {path.name for path in (self.here / "out").iterdir()}
