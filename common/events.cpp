@@ -4,32 +4,18 @@
 
 #include <fmt/format.h>
 
+#include "common/tree_pairing.h"
+
 namespace rt
 {
 
 namespace
 {
 
-struct Links
-{
-    std::vector<std::vector<int>> children, shadows, capped; // of each node
-    std::vector<int> roots;
-
-    explicit Links(const RayTree& tree)
-        : children(tree.nodes.size()), shadows(tree.nodes.size()), capped(tree.nodes.size())
-    {
-        for (const auto& node : tree.nodes)
-            (node.parent < 0 ? roots : children[std::size_t(node.parent)]).push_back(node.id);
-        for (std::size_t i = 0; i < tree.shadows.size(); ++i)
-            shadows[std::size_t(tree.shadows[i].node)].push_back(int(i));
-        for (std::size_t i = 0; i < tree.capped.size(); ++i) capped[std::size_t(tree.capped[i].node)].push_back(int(i));
-    }
-};
-
 /// Without recursion: a tree from a file may be as deep as it likes.
 std::vector<Event> presumedEvents(const RayTree& tree)
 {
-    const Links links(tree);
+    const TreeLinks links = linksOf(tree);
     std::vector<Event> events;
     struct Open
     {
@@ -45,7 +31,7 @@ std::vector<Event> presumedEvents(const RayTree& tree)
             events.push_back({Event::Kind::notFollowed, id, i, tree.capped[std::size_t(i)].line});
         open.push_back({id});
     };
-    for (const int root : links.roots)
+    for (const int root : links.children.back()) // of no node: the camera ray and orphans
     {
         enter(root);
         while (!open.empty())

@@ -20,7 +20,7 @@ struct Wish
 struct Tried
 {
     Setting setting;
-    double predictedSeconds = 0, predictedDecibels = 0; ///< from every 8th row or so
+    double predictedSeconds = 0, predictedDecibels = 0; ///< the time is predicted from some rows
     double seconds = 0, decibels = 0;                   ///< of the whole picture
     bool kept = false;
 };
@@ -38,8 +38,8 @@ struct Recommendation
     }
 };
 
-/// Measures the candidates on some rows, chooses, renders the whole picture on one thread, and chooses again if time or
-/// accuracy were not what the rows promised, at most 4 times. Empty if it was stopped. `say` gets a line for each thing that is done.
+/// Measures the candidates on some rows, verifies the accuracy of the best on the whole picture, renders the chosen one on one
+/// thread, and chooses again if that took longer than promised, at most 4 times. Empty if it was stopped. `say` gets a line for each thing that is done.
 std::optional<Recommendation> recommend(const SceneDescription& scene, const Wish& wish,
                                         const std::function<void(const std::string&)>& say,
                                         const std::atomic<bool>& stop);

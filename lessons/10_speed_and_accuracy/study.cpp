@@ -55,7 +55,7 @@ Setting referenceSetting(const SceneDescription& scene, int mostRays)
 
 void markFronts(std::vector<Row>& rows)
 {
-    // What no table shows is no gain: a hundredth of a dB.
+    // What no table shows is no gain: less than a tenth of a dB.
     const auto rounded = [](double decibels) { return std::round(decibels * 10) / 10; };
     std::vector<Cost> same, many;
     for (auto& row : rows)

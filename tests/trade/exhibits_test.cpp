@@ -79,7 +79,7 @@ TEST(Lesson10, EachExhibitShowsItsFaultAndItsCureRemovesIt)
     {
         const auto scene = small(exhibit.scene, 160, 120);
         const int pixels = 160 * 120, poor = countFault(scene, exhibit, exhibit.poorSetting);
-        EXPECT_GT(poor, pixels / 50) << exhibit.name;
+        EXPECT_GT(poor, pixels / 100) << exhibit.name;
         // Outlines: in float a ray in a thousand may pass on the other side of an edge.
         const int allowed = exhibit.fault == Fault::wrongHit ? pixels / 1000 : 0;
         EXPECT_LE(countFault(scene, exhibit, exhibit.goodSetting), allowed) << exhibit.name;
