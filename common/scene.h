@@ -10,8 +10,9 @@
 #include "common/hit.h"
 #include "common/light.h"
 #include "common/scene_description.h"
-#include "common/shapes.h"
 #include "common/sky.h"
+#include "common/sphere_search.h"
+#include "common/triangle_search.h"
 
 namespace rt
 {
@@ -52,8 +53,11 @@ public:
     std::string primitiveName(PrimitiveId id) const;
 
 private:
-    template <class Visit, class Formulas>
-    void visitDistances(const Ray<Real>& ray, const Formulas& shapes, Visit&& visit) const;
+    template <class Found, class Formulas>
+    void visitHits(const Ray<Real>& ray, const Formulas& shapes, const Real& limit, Found&& found) const;
+
+    template <class Found, class Formulas>
+    bool visitPlanes(const Ray<Real>& ray, const Formulas& shapes, Found& found) const;
 
     /// Does a ray that leaves one triangle start in the plane of this other one, up to the rounding of its origin? Then it
     /// leaves both: they are parts of one surface, or meet at an edge.
@@ -72,6 +76,8 @@ private:
     Real brightestReturn() const;
     const Material<Real>& materialOf(PrimitiveId id) const;
 
+    SphereSearch<Real> sphereSearch{{}};
+    TriangleSearch<Real> triangleSearch{{}};
     std::vector<PrimitiveId> meshes;                     ///< the first triangle of each
     Real nearestLamp = std::numeric_limits<Real>::min(); ///< distance²: closer, light may overflow
 
@@ -152,35 +158,53 @@ Scene<Real>::Scene(const SceneDescription& description)
         nearestLamp = std::max(nearestLamp, largestChannel(light.color) / std::numeric_limits<Real>::max() * 64 *
                                                 Real(lights.size()));
     if (settings.cutoff > 0) brightest = brightestReturn();
+    sphereSearch = SphereSearch<Real>(spheres);
+    triangleSearch = TriangleSearch<Real>(triangles);
 }
 
-/// Calls visit(id, t) for each primitive that the ray meets, in the order of ids, until visit returns true.
+/// Calls found(id, t) for the primitives that the ray meets at t <= limit, in any order, until it returns true. It may lower
+/// `limit`; some that are farther may be called for all the same.
 template <std::floating_point Real>
-template <class Visit, class Formulas>
-void Scene<Real>::visitDistances(const Ray<Real>& ray, const Formulas& shapes, Visit&& visit) const
+template <class Found, class Formulas>
+void Scene<Real>::visitHits(const Ray<Real>& ray, const Formulas& shapes, const Real& limit, Found&& found) const
 {
-    PrimitiveId id = 0;
-    for (const auto& sphere : spheres)
+    if (ray.from >= 0 && ray.from < firstPlane())
+        if (const auto t = Shapes<Real>::leaveSphere(ray, spheres[std::size_t(ray.from)]))
+            if (found(ray.from, *t)) return;
+    if constexpr (std::is_same_v<Formulas, Shapes<Real>>)
     {
-        const auto t = id == ray.from ? Shapes<Real>::leaveSphere(ray, sphere) : shapes.intersectSphere(ray, sphere);
-        if (t && visit(id, *t)) return;
-        ++id;
+        if (visitPlanes(ray, shapes, found) || sphereSearch.visit(ray, limit, found)) return;
     }
+    else // Other formulas have their own roundings, which no box is padded for.
+    {
+        for (PrimitiveId id = 0; id < firstPlane(); ++id)
+            if (id != ray.from)
+                if (const auto t = shapes.intersectSphere(ray, spheres[std::size_t(id)]))
+                    if (found(id, *t)) return;
+        if (visitPlanes(ray, shapes, found)) return;
+    }
+    if (triangles.empty()) return;
+    const bool leavesTriangle = ray.from >= firstTriangle();
+    triangleSearch.visit(triangles, ray, limit, [&](PrimitiveId index, Real t) {
+        if (firstTriangle() + index == ray.from) return false;
+        if (leavesTriangle && startsOn(ray, triangles[std::size_t(index)])) return false;
+        return bool(found(firstTriangle() + index, t));
+    });
+}
+
+template <std::floating_point Real>
+template <class Found, class Formulas>
+bool Scene<Real>::visitPlanes(const Ray<Real>& ray, const Formulas& shapes, Found& found) const
+{
+    PrimitiveId id = firstPlane();
     for (const auto& plane : planes)
     {
         if (id != ray.from)
             if (const auto t = shapes.intersectPlane(ray, plane))
-                if (visit(id, *t)) return;
+                if (found(id, *t)) return true;
         ++id;
     }
-    const bool leavesTriangle = ray.from >= firstTriangle();
-    for (const auto& triangle : triangles)
-    {
-        if (id != ray.from && !(leavesTriangle && startsOn(ray, triangle)))
-            if (const auto t = Shapes<Real>::intersectTriangle(ray, triangle))
-                if (visit(id, *t)) return;
-        ++id;
-    }
+    return false;
 }
 
 template <std::floating_point Real>
@@ -189,8 +213,8 @@ std::optional<Hit<Real>> Scene<Real>::intersect(const Ray<Real>& ray, const Form
 {
     Real nearest = infinity<Real>;
     PrimitiveId id = noPrimitive;
-    visitDistances(ray, shapes, [&](PrimitiveId candidate, Real t) {
-        if (t < nearest)
+    visitHits(ray, shapes, nearest, [&](PrimitiveId candidate, Real t) {
+        if (t < nearest || (t == nearest && candidate < id))
         {
             nearest = t;
             id = candidate;
@@ -208,7 +232,7 @@ bool Scene<Real>::occluded(const Point<Real>& I, const Vec3<Real>& L, Real dista
     if (distance * distance > 0 && distance * distance < nearestLamp) return true;
     const bool throughGlass = settings.shadowThroughGlass == ShadowThroughGlass::tint;
     bool blocked = false;
-    visitDistances(Ray<Real>{.O = I, .D = L, .from = I.on}, shapes, [&](PrimitiveId id, Real t) {
+    visitHits(Ray<Real>{.O = I, .D = L, .from = I.on}, shapes, distance, [&](PrimitiveId id, Real t) {
         return blocked = t < distance && !(throughGlass && materialOf(id).isDielectric());
     });
     return blocked;

@@ -123,8 +123,24 @@ struct Shapes
         const auto determinant = u + v + w;
         if (determinant == 0) return std::nullopt;
         const Real t = Real((u * (shearZ * A[z]) + v * (shearZ * B[z]) + w * (shearZ * C[z])) / determinant);
-        if (t > 0 && t < infinity<Real>) return t;
+        if (t > 0 && t < infinity<Real> && isNear(ray.O + t * ray.D, ray.O, triangle)) return t;
         return std::nullopt;
+    }
+
+    /// How far a triangle's hit point may be from its box, as a share of the sum of the coordinates that it comes from. In
+    /// float edges are exact and only coordinates are rounded; else a ray that all but lies in the plane gets inexact ones.
+    static constexpr Real triangleError =
+        std::numeric_limits<Real>::epsilon() *
+        (std::is_same_v<Real, float> ? 32 : std::int64_t(1) << std::numeric_limits<Real>::digits / 2);
+
+    /// For a ray in the triangle's plane u, v and w are nothing but rounding, and may agree however far it passes by.
+    static bool isNear(const vec3& P, const vec3& O, const Triangle& triangle)
+    {
+        const auto& [a, b, c, N, material] = triangle;
+        const vec3 sum = abs(O) + abs(a) + abs(b) + abs(c);
+        const Real error = triangleError * (sum.x + sum.y + sum.z);
+        const vec3 low = min(min(a, b), c) - error, high = max(max(a, b), c) + error;
+        return P.x >= low.x && P.y >= low.y && P.z >= low.z && P.x <= high.x && P.y <= high.y && P.z <= high.z;
     }
 };
 

@@ -1,0 +1,212 @@
+// Builds the hierarchy of bvh.h: splits by the surface area heuristic in bins (Wald, "On fast Construction of SAH-based
+// Bounding Volume Hierarchies", RT 2007), always the largest part of a node next until it has four.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "common/vec.h"
+
+namespace rt
+{
+
+inline constexpr int bvhWidth = 4;
+
+template <std::floating_point Real>
+struct Box
+{
+    Vec3<Real> low{infinity<Real>}, high{-infinity<Real>};
+
+    void add(const Vec3<Real>& p)
+    {
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            low[axis] = std::min(low[axis], p[axis]);
+            high[axis] = std::max(high[axis], p[axis]);
+        }
+    }
+    void add(const Box& box)
+    {
+        add(box.low);
+        add(box.high);
+    }
+    Vec3<Real> middle() const { return Real(0.5) * low + Real(0.5) * high; }
+    Real halfArea() const
+    {
+        const Vec3<Real> size = high - low;
+        return size.x * size.y + size.y * size.z + size.z * size.x;
+    }
+};
+
+/// Up to four shapes; -1 fills up.
+using BvhLeaf = std::array<std::int32_t, bvhWidth>;
+
+template <std::floating_point Real>
+struct BvhNode
+{
+    Real planes[2 * 3 * bvhWidth]; ///< the lower ones of the x, y and z axis, then the upper ones
+    std::int32_t child[bvhWidth];  ///< a node, or ~leaf
+    std::int32_t count;            ///< of children
+};
+
+inline constexpr int bvhDeepest = 40;                          ///< binary splits by area; those below are in the middle
+inline constexpr int bvhStackSize = 3 * (bvhDeepest + 32) + 4; ///< a node leaves three siblings behind
+
+template <std::floating_point Real>
+struct BvhBuilder
+{
+    const std::vector<Box<Real>>& boxes;
+    std::vector<BvhNode<Real>>& nodes;
+    std::vector<BvhLeaf>& leaves;
+
+    struct Item
+    {
+        Box<Real> box;
+        std::int32_t id;
+    };
+    /// A run of items. Leaves are a run of up to four.
+    struct Part
+    {
+        std::size_t first, last;
+        Box<Real> box;
+        int depth;
+
+        std::size_t size() const { return last - first; }
+    };
+    std::vector<Item> items{};
+
+    void build()
+    {
+        items.reserve(boxes.size());
+        Part all{0, boxes.size(), {}, 0};
+        for (const auto& box : boxes)
+        {
+            items.push_back({box, std::int32_t(items.size())});
+            all.box.add(box);
+        }
+        nodes.reserve(boxes.size() / 6);
+        leaves.reserve(boxes.size() * 2 / 5);
+        if (!items.empty()) addNode(all);
+        nodes.shrink_to_fit();
+        leaves.shrink_to_fit();
+    }
+
+    std::int32_t addNode(const Part& whole)
+    {
+        Part parts[bvhWidth] = {whole};
+        int count = 1;
+        while (count < bvhWidth)
+        {
+            int largest = -1;
+            for (int k = 0; k < count; ++k)
+                if (parts[k].size() > bvhWidth &&
+                    (largest < 0 || parts[k].box.halfArea() > parts[largest].box.halfArea()))
+                    largest = k;
+            if (largest < 0) break;
+            const std::size_t middle = split(parts[largest]);
+            parts[count] = part(middle, parts[largest].last, parts[largest].depth + 1);
+            parts[largest] = part(parts[largest].first, middle, parts[largest].depth + 1);
+            ++count;
+        }
+        const std::size_t index = nodes.size();
+        nodes.emplace_back();
+        nodes[index].count = count;
+        for (int k = 0; k < bvhWidth; ++k)
+        {
+            for (int axis = 0; axis < 3; ++axis)
+            {
+                nodes[index].planes[axis * bvhWidth + k] = k < count ? parts[k].box.low[axis] : infinity<Real>;
+                nodes[index].planes[(3 + axis) * bvhWidth + k] = k < count ? parts[k].box.high[axis] : -infinity<Real>;
+            }
+            const std::int32_t child = k >= count                   ? 0
+                                       : parts[k].size() > bvhWidth ? addNode(parts[k])
+                                                                    : addLeaf(parts[k]);
+            nodes[index].child[k] = child; // only now: addNode moves the nodes
+        }
+        return std::int32_t(index);
+    }
+
+    std::int32_t addLeaf(const Part& leaf)
+    {
+        BvhLeaf shapes;
+        shapes.fill(-1);
+        for (std::size_t i = leaf.first; i < leaf.last; ++i) shapes[i - leaf.first] = items[i].id;
+        leaves.push_back(shapes);
+        return ~std::int32_t(leaves.size() - 1);
+    }
+
+    Part part(std::size_t first, std::size_t last, int depth) const
+    {
+        Part result{first, last, {}, depth};
+        for (std::size_t i = first; i < last; ++i) result.box.add(items[i].box);
+        return result;
+    }
+
+    /// Orders the items of a part so that two good parts lie before and after the index it returns.
+    std::size_t split(const Part& whole)
+    {
+        constexpr int bins = 16;
+        struct Bin
+        {
+            Box<Real> box;
+            std::size_t count = 0;
+        };
+        Box<Real> middles;
+        for (std::size_t i = whole.first; i < whole.last; ++i) middles.add(items[i].box.middle());
+        const Vec3<Real> size = middles.high - middles.low;
+        const Vec3<Real> scale = Real(bins) / size;
+        const auto binOf = [&](const Item& item, int axis) {
+            const Real place = (item.box.middle()[axis] - middles.low[axis]) * scale[axis];
+            return place < bins - 1 ? int(place) : bins - 1; // also where nothing differs and place is NaN
+        };
+        Bin bin[3][bins];
+        for (std::size_t i = whole.first; i < whole.last; ++i)
+            for (int axis = 0; axis < 3; ++axis)
+            {
+                Bin& b = bin[axis][binOf(items[i], axis)];
+                b.box.add(items[i].box);
+                ++b.count;
+            }
+
+        // Four shapes are tested at a time: a part costs its area times the leaves that it needs at least.
+        const auto cost = [](const Bin& b) { return b.box.halfArea() * Real((b.count + bvhWidth - 1) / bvhWidth); };
+        Real best = infinity<Real>;
+        int bestAxis = -1, bestBin = 0;
+        for (int axis = 0; axis < 3 && whole.depth < bvhDeepest; ++axis)
+        {
+            Real above[bins];
+            Bin sum;
+            for (int k = bins - 1; k > 0; --k)
+            {
+                sum.box.add(bin[axis][k].box);
+                sum.count += bin[axis][k].count;
+                above[k] = sum.count == 0 ? infinity<Real> : cost(sum);
+            }
+            sum = {};
+            for (int k = 0; k + 1 < bins; ++k)
+            {
+                sum.box.add(bin[axis][k].box);
+                sum.count += bin[axis][k].count;
+                if (sum.count == 0 || sum.count == whole.size()) continue;
+                const Real total = cost(sum) + above[k + 1];
+                if (total < best) best = total, bestAxis = axis, bestBin = k;
+            }
+        }
+        const auto begin = items.begin() + std::ptrdiff_t(whole.first),
+                   end = items.begin() + std::ptrdiff_t(whole.last);
+        if (bestAxis >= 0)
+        {
+            const auto middle =
+                std::partition(begin, end, [&](const Item& item) { return binOf(item, bestAxis) <= bestBin; });
+            return std::size_t(middle - items.begin());
+        }
+        const int axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
+        const auto middle = begin + std::ptrdiff_t((whole.size() / 2 + bvhWidth - 1) / bvhWidth * bvhWidth);
+        std::nth_element(begin, middle, end,
+                         [axis](const Item& a, const Item& b) { return a.box.middle()[axis] < b.box.middle()[axis]; });
+        return std::size_t(middle - items.begin());
+    }
+};
+
+} // namespace rt

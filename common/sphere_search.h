@@ -1,0 +1,127 @@
+// Which spheres a ray meets, four at a time: the formula of shapes.h, step by step the same, so with the same bits. A lane is
+// one sphere, and the compiler makes vectors of the lanes where it has them.
+#pragma once
+
+#include "common/bvh.h"
+#include "common/shapes.h"
+
+namespace rt
+{
+
+template <std::floating_point Real>
+class SphereSearch
+{
+public:
+    /// More spheres than this are searched through a hierarchy: tests/perf/README.md has the measurement.
+    static constexpr std::size_t mostScanned = 12;
+
+    explicit SphereSearch(const std::vector<Sphere<Real>>& spheres, std::size_t most = mostScanned)
+    {
+        std::vector<BvhLeaf> groups;
+        if (spheres.size() > most && areOrdinary(spheres))
+        {
+            Real extent = 0;
+            std::vector<Box<Real>> boxes(spheres.size());
+            for (std::size_t i = 0; i < spheres.size(); ++i)
+            {
+                const auto& [C, r, material] = spheres[i];
+                boxes[i] = {C - r, C + r};
+                extent = std::max(extent, std::abs(C.x) + std::abs(C.y) + std::abs(C.z) + r);
+            }
+            // Directions have unit length up to directionError, and hit points err by as much, and by the formula's own.
+            tree = Bvh<Real>(boxes, 4 * directionError, extent);
+            groups = tree.leafShapes();
+            tree.forgetLeaves();
+        }
+        else
+            for (std::size_t i = 0; i < spheres.size(); ++i)
+            {
+                if (i % lanes == 0) groups.emplace_back().fill(-1);
+                groups.back()[i % lanes] = std::int32_t(i);
+            }
+        blocks.resize(groups.size());
+        for (std::size_t i = 0; i < groups.size(); ++i)
+            for (int k = 0; k < lanes; ++k)
+            {
+                const std::int32_t id = blocks[i].id[k] = groups[i][std::size_t(k)];
+                const Sphere<Real> sphere = id < 0 ? Sphere<Real>{} : spheres[std::size_t(id)];
+                for (int axis = 0; axis < 3; ++axis) blocks[i].C[axis][k] = sphere.C[axis];
+                blocks[i].squaredRadius[k] = id < 0 ? -1 : Number(sphere.r) * Number(sphere.r);
+            }
+    }
+
+    /// Calls found(id, t) for each sphere but ray.from that the ray meets at t <= limit, until it returns true. It may lower
+    /// `limit`; spheres that are farther may be called for all the same.
+    template <class Found>
+    bool visit(const Ray<Real>& ray, const Real& limit, Found&& found) const
+    {
+        const Vec3<Number> O(ray.O), D(ray.D);
+        // The boxes are padded for unit vectors, which all lessons trace; others meet every sphere.
+        if (tree.empty() || !(std::abs(dot(ray.D, ray.D) - 1) <= directionError))
+        {
+            for (const auto& block : blocks)
+                if (visitBlock(block, O, D, ray.from, limit, found)) return true;
+            return false;
+        }
+        return tree.visitLeaves(ray.O, ray.D, limit, [&](std::size_t leaf) {
+            return visitBlock(blocks[leaf], O, D, ray.from, limit, found);
+        });
+    }
+
+    std::size_t bytes() const { return blocks.capacity() * sizeof(Block) + tree.bytes(); }
+
+private:
+    using Number = Wide<Real>; ///< what the formula computes in
+
+    static constexpr int lanes = bvhWidth;
+    static constexpr Real directionError = 16 * std::numeric_limits<Real>::epsilon();
+
+    struct Block
+    {
+        Number C[3][lanes];
+        Number squaredRadius[lanes]; ///< -1: no sphere, which no ray meets
+        PrimitiveId id[lanes];
+    };
+
+    /// Can r² be computed with a relative error? Below that the formula meets spheres far off their boxes.
+    static bool areOrdinary(const std::vector<Sphere<Real>>& spheres)
+    {
+        using Limits = std::numeric_limits<Number>;
+        return std::all_of(spheres.begin(), spheres.end(), [](const auto& sphere) {
+            return Number(sphere.r) * Number(sphere.r) >= Limits::min() / Limits::epsilon();
+        });
+    }
+
+    template <class Found>
+    static bool visitBlock(const Block& block, const Vec3<Number>& O, const Vec3<Number>& D, PrimitiveId from,
+                           const Real& limit, Found& found)
+    {
+        Number b[lanes], discriminant[lanes];
+        for (int k = 0; k < lanes; ++k)
+        {
+            const Number x = O.x - block.C[0][k], y = O.y - block.C[1][k], z = O.z - block.C[2][k];
+            b[k] = x * D.x + y * D.y + z * D.z;
+            const Number lx = x - b[k] * D.x, ly = y - b[k] * D.y, lz = z - b[k] * D.z;
+            discriminant[k] = block.squaredRadius[k] - (lx * lx + ly * ly + lz * lz);
+        }
+        for (int k = 0; k < lanes; ++k)
+        {
+            if (!(discriminant[k] >= 0)) continue;
+            const Vec3<Number> oc(O.x - block.C[0][k], O.y - block.C[1][k], O.z - block.C[2][k]);
+            const Number c = dot(oc, oc) - block.squaredRadius[k];
+            if (b[k] > 0 && c > 0) continue; // outside and going away: both roots are negative
+            if (block.id[k] == from) continue;
+            const Number q = -(b[k] + std::copysign(std::sqrt(discriminant[k]), b[k]));
+            const Number other = c / q;
+            const Real t1 = Real(std::min(q, other)), t2 = Real(std::max(q, other));
+            const Real t = t1 > 0 ? t1 : t2;
+            if (t > 0 && t <= limit && found(block.id[k], t)) return true;
+        }
+        return false;
+    }
+
+    std::vector<Block> blocks; ///< in the order of ids, or of the tree's leaves
+    Bvh<Real> tree;
+};
+
+} // namespace rt

@@ -1,0 +1,337 @@
+// The searches under Scene::intersect and occluded give, bit for bit, what a scan over all shapes gives.
+#include <cstring>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "common/scene.h"
+#include "tests/common/random_scene.h"
+
+namespace rt
+{
+
+namespace
+{
+
+template <class Real>
+class Search : public testing::Test
+{
+};
+using Precisions = testing::Types<float, double, long double>;
+TYPED_TEST_SUITE(Search, Precisions);
+
+/// The reference: every shape in the order of ids, by the formulas of shapes.h.
+template <class Real>
+struct Scan
+{
+    const Scene<Real>& scene;
+
+    template <class Visit>
+    void visit(const Ray<Real>& ray, Visit&& visit) const
+    {
+        PrimitiveId id = 0;
+        for (const auto& sphere : scene.spheres)
+        {
+            const auto t =
+                id == ray.from ? Shapes<Real>::leaveSphere(ray, sphere) : Shapes<Real>::intersectSphere(ray, sphere);
+            if (t) visit(id, *t);
+            ++id;
+        }
+        for (const auto& plane : scene.planes)
+        {
+            if (id != ray.from)
+                if (const auto t = Shapes<Real>::intersectPlane(ray, plane)) visit(id, *t);
+            ++id;
+        }
+        const auto firstTriangle = PrimitiveId(scene.spheres.size() + scene.planes.size());
+        for (const auto& triangle : scene.triangles)
+        {
+            if (id != ray.from && !(ray.from >= firstTriangle && startsOn(ray, triangle)))
+                if (const auto t = Shapes<Real>::intersectTriangle(ray, triangle)) visit(id, *t);
+            ++id;
+        }
+    }
+
+    static bool startsOn(const Ray<Real>& ray, const Triangle<Real>& triangle)
+    {
+        const Vec3<Real> a = abs(triangle.a), o = abs(ray.O);
+        const Real bound = 16 * std::numeric_limits<Real>::epsilon() * (a.x + a.y + a.z + o.x + o.y + o.z);
+        return std::abs(dot(ray.O - triangle.a, triangle.N)) <= bound;
+    }
+
+    std::pair<PrimitiveId, Real> nearest(const Ray<Real>& ray) const
+    {
+        std::pair<PrimitiveId, Real> best{noPrimitive, infinity<Real>};
+        visit(ray, [&](PrimitiveId id, Real t) {
+            if (t < best.second) best = {id, t};
+        });
+        return best;
+    }
+
+    bool occluded(const Point<Real>& I, const Vec3<Real>& L, Real distance) const
+    {
+        bool blocked = false;
+        visit({.O = I, .D = L, .from = I.on}, [&](PrimitiveId, Real t) { blocked = blocked || t < distance; });
+        return blocked;
+    }
+};
+
+struct Tally
+{
+    int hits = 0, misses = 0, blocked = 0, free = 0;
+};
+
+/// The ray itself, a shadow ray of the same direction, and where the hit leads.
+template <class Real>
+void compare(const Scene<Real>& scene, Ray<Real> ray, std::mt19937& engine, Tally& tally, int bounces = 3)
+{
+    const auto in = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine); };
+    const Scan<Real> scan{scene};
+    for (; bounces > 0; --bounces)
+    {
+        const auto [id, t] = scan.nearest(ray);
+        const auto hit = scene.intersect(ray);
+        ASSERT_EQ(bool(hit), id != noPrimitive) << "the scan finds " << scene.primitiveName(id);
+        const Real reach = id == noPrimitive ? Real(in(0, 9)) * length(ray.O) : t;
+        for (const Real distance : {reach, reach * (1 + std::numeric_limits<Real>::epsilon()), reach * Real(in(0, 3))})
+        {
+            const Point<Real> I{ray.O, ray.from};
+            const bool blocked = scan.occluded(I, ray.D, distance);
+            if (distance * distance > std::numeric_limits<Real>::min()) // else a lamp is as good as on the point
+            {
+                ASSERT_EQ(scene.occluded(I, ray.D, distance), blocked);
+            }
+            ++(blocked ? tally.blocked : tally.free);
+        }
+        ++(hit ? tally.hits : tally.misses);
+        if (!hit) return;
+        ASSERT_EQ(hit->I.on, id) << scene.primitiveName(hit->I.on) << " for " << scene.primitiveName(id);
+        ASSERT_EQ(hit->t, t);
+        const Vec3<Real> D(Real(in(-1, 1)), Real(in(-1, 1)), Real(in(-1, 1)));
+        ray = ray.spawn(reflected, hit->I, bounces == 2 ? hit->N : D);
+    }
+}
+
+/// Random things in every arrangement that boxes might get wrong.
+struct World
+{
+    std::mt19937 engine;
+    SceneDescription scene{};
+
+    explicit World(unsigned seed) : engine(seed) { scene.materials.push_back({}); }
+
+    double in(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine); }
+    int below(int n) { return std::uniform_int_distribution<int>(0, n - 1)(engine); }
+    Vec3<double> vector(double size) { return {in(-size, size), in(-size, size), in(-size, size)}; }
+    double anySize(double power) { return std::pow(10.0, in(-power, power)); }
+
+    void spheres(int count, double power)
+    {
+        for (int i = 0; i < count; ++i)
+        {
+            SphereDescription sphere{vector(anySize(power)), anySize(power), 0};
+            if (power == 0) sphere.radius = in(0.01, 0.3);
+            if (!scene.spheres.empty() && below(4) == 0)
+            {
+                const auto& other = scene.spheres[std::size_t(below(int(scene.spheres.size())))];
+                const int how = below(4);
+                if (how == 0) sphere = other;                                                  // coincident
+                if (how == 1) sphere.center = other.center;                                    // one inside the other
+                if (how == 2) sphere.center.x = other.center.x + other.radius + sphere.radius; // touching
+                if (how == 3) sphere.radius = other.radius, sphere.center.y = other.center.y;  // a row
+            }
+            scene.spheres.push_back(sphere);
+        }
+    }
+
+    void triangles(int count, double power)
+    {
+        for (int i = 0; i < count; ++i)
+        {
+            const Vec3<double> a = vector(anySize(power));
+            const double size = power == 0 ? 0.3 : anySize(power);
+            TriangleDescription triangle{{a, a + vector(size), a + vector(size)}, 0};
+            auto& [p, q, r] = triangle.vertices;
+            const int how = below(8);
+            if (how == 0) p.y = q.y = r.y = 0.25;                           // many in one plane
+            if (how == 1) r = p + in(0, 1) * (q - p) + 1e-9 * vector(size); // a needle
+            if (how == 2 && !scene.triangles.empty()) triangle = scene.triangles.back();
+            if (how == 3 && !scene.triangles.empty())
+                q = scene.triangles.back().vertices[0], r = scene.triangles.back().vertices[1];
+            scene.triangles.push_back(triangle);
+        }
+    }
+
+    template <class Real>
+    Ray<Real> ray(const Scene<Real>& traced, double power)
+    {
+        Vec3<Real> O(vector(2 * anySize(power))), target(vector(anySize(power)));
+        if (!traced.spheres.empty() && below(2))
+        {
+            const auto& sphere = traced.spheres[std::size_t(below(int(traced.spheres.size())))];
+            // at its middle, at its rim or just beside it
+            target = sphere.C + Vec3<Real>(Real(below(3) == 0 ? 0 : in(0.999999, 1.000001)) * sphere.r *
+                                           unit(Vec3<Real>(vector(1))));
+            if (below(6) == 0) O = sphere.C;
+        }
+        if (!traced.triangles.empty() && below(2))
+        {
+            const auto& triangle = traced.triangles[std::size_t(below(int(traced.triangles.size())))];
+            const Real s = Real(in(-1, 2)), t = Real(in(-1, 2));
+            target = triangle.a + s * (triangle.b - triangle.a) + t * (triangle.c - triangle.a);
+            if (below(3) == 0) target = triangle.a;
+            if (below(3) == 0) // in its plane
+                O = triangle.a + Real(in(-9, 9)) * (triangle.b - triangle.a) +
+                    Real(in(-9, 9)) * (triangle.c - triangle.a);
+        }
+        Ray<Real> result{.O = O, .D = unit(target - O)};
+        if (below(4) == 0) // along an axis, or in a plane of two
+        {
+            result.D[below(3)] = below(2) ? Real(0) : -Real(0);
+            if (below(2)) result.D[below(3)] = 0;
+            result.D = unit(result.D);
+            if (below(2)) result.O[below(3)] = target[below(3)];
+        }
+        return result;
+    }
+};
+
+template <class Real>
+Tally compareMany(int spheres, int triangles, double power, int worlds, int rays)
+{
+    Tally tally;
+    for (int w = 0; w < worlds && !testing::Test::HasFatalFailure(); ++w)
+    {
+        World world(unsigned(w + 1));
+        world.spheres(spheres, power);
+        world.triangles(triangles, power);
+        const Scene<Real> scene(world.scene);
+        for (int i = 0; i < rays && !testing::Test::HasFatalFailure(); ++i)
+            compare(scene, world.ray(scene, power), world.engine, tally);
+    }
+    return tally;
+}
+
+void expectBoth(const Tally& tally, int least)
+{
+    EXPECT_GT(tally.hits, least);
+    EXPECT_GT(tally.misses, least);
+    EXPECT_GT(tally.blocked, least);
+    EXPECT_GT(tally.free, least);
+}
+
+TYPED_TEST(Search, OfManySpheresFindsWhatAScanFinds)
+{
+    expectBoth(compareMany<TypeParam>(200, 0, 0, 12, 500), 2000);
+}
+
+TYPED_TEST(Search, OfFewSpheresFindsWhatAScanFinds)
+{
+    for (const int count : {1, 2, 3, 4, 5, 7, 8, 11, 12, 13})
+        expectBoth(compareMany<TypeParam>(count, 0, 0, 10, 100), 30);
+}
+
+TYPED_TEST(Search, OfSpheresOfAllSizesFindsWhatAScanFinds)
+{
+    for (const double power : {2, 4, 8}) expectBoth(compareMany<TypeParam>(100, 0, power, 20, 250), 50);
+}
+
+TYPED_TEST(Search, OfTrianglesFindsWhatAScanFinds)
+{
+    expectBoth(compareMany<TypeParam>(0, 200, 0, 12, 500), 800);
+}
+
+TYPED_TEST(Search, OfTrianglesOfAllSizesFindsWhatAScanFinds)
+{
+    for (const double power : {2, 4, 8}) expectBoth(compareMany<TypeParam>(0, 100, power, 20, 250), 50);
+}
+
+TYPED_TEST(Search, OfBothFindsWhatAScanFinds)
+{
+    expectBoth(compareMany<TypeParam>(60, 60, 0, 10, 400), 400);
+    expectBoth(compareMany<TypeParam>(60, 60, 5, 10, 400), 80);
+}
+
+TYPED_TEST(Search, OfCoincidentShapesFindsTheFirst)
+{
+    using Real = TypeParam;
+    SceneDescription description;
+    description.materials.push_back({});
+    for (int i = 0; i < 300; ++i) description.spheres.push_back({{0, 0, -5}, 1, 0});
+    for (int i = 0; i < 300; ++i)
+        description.triangles.push_back({{Vec3<double>(-9, -9, -3), {9, -9, -3}, {0, 9, -3}}, 0});
+    const Scene<Real> scene(description);
+    EXPECT_EQ(scene.intersect({.D = {0, 0, -1}})->I.on, 300);
+    EXPECT_EQ(scene.intersect({.O = {0, 0, -4}, .D = {0, 0, -1}, .from = 0})->I.on, 0)
+        << "the far side of the one it leaves";
+}
+
+TYPED_TEST(Search, LivesWithNumbersThatAreNone)
+{
+    using Real = TypeParam;
+    const Real nan = std::numeric_limits<Real>::quiet_NaN(), huge = std::numeric_limits<Real>::max();
+    World world(5);
+    world.spheres(100, 0);
+    world.triangles(100, 0);
+    const Scene<Real> scene(world.scene);
+    Tally tally;
+    for (const Real odd : {nan, infinity<Real>, -infinity<Real>, huge, -huge, Real(0)})
+        for (int axis = 0; axis < 6; ++axis)
+        {
+            Ray<Real> ray{.O = {Real(0.1), Real(0.2), 2}, .D = {0, 0, -1}};
+            (axis < 3 ? ray.O : ray.D)[axis % 3] = odd;
+            compare(scene, ray, world.engine, tally, 1);
+        }
+    for (int i = 0; i < 6000;
+         ++i) // Nobody said that D has length 1. Beside a sphere the formula then meets what is not there.
+    {
+        auto ray = world.ray(scene, 0);
+        if (i % 2)
+        {
+            const auto& sphere = scene.spheres[std::size_t(world.below(int(scene.spheres.size())))];
+            ray.O = sphere.C + Real(world.in(1, 1.5)) * sphere.r * unit(Vec3<Real>(world.vector(1)));
+        }
+        ray.D *= Real(world.in(0, 2));
+        compare(scene, ray, world.engine, tally, 1);
+    }
+}
+
+/// Scaled so that squares of radii vanish, or that distances overflow.
+TYPED_TEST(Search, LivesAtTheEndsOfItsType)
+{
+    using Real = TypeParam;
+    const double top = std::min(300.0, std::log10(double(std::numeric_limits<Real>::max() / 100)));
+    for (const double power : {-top, -top / 2, top / 2, top})
+    {
+        World world(9);
+        world.spheres(60, 0);
+        world.triangles(60, 0);
+        const Scene<Real> unscaled(world.scene);
+        const double k = std::pow(10.0, power);
+        for (auto& sphere : world.scene.spheres) sphere.center *= k, sphere.radius *= k;
+        for (auto& triangle : world.scene.triangles)
+            for (auto& vertex : triangle.vertices) vertex *= k;
+        const Scene<Real> scene(world.scene);
+        Tally tally;
+        for (int i = 0; i < 2000; ++i)
+        {
+            auto ray = world.ray(unscaled, 0);
+            ray.O *= Real(k);
+            compare(scene, ray, world.engine, tally, 1);
+        }
+    }
+}
+
+TEST(Search, OfAMillionSpheresTakesLessThan200BytesEach)
+{
+    std::mt19937 engine(1);
+    std::uniform_real_distribution<double> in(-1, 1);
+    std::vector<Sphere<double>> spheres;
+    for (int i = 0; i < 1000000; ++i) spheres.push_back({{in(engine), in(engine), in(engine)}, 0.001, 0});
+    const SphereSearch<double> search(spheres);
+    EXPECT_LT(double(search.bytes()) / double(spheres.size()) + sizeof(Sphere<double>), 200);
+}
+
+} // namespace
+
+} // namespace rt
