@@ -51,7 +51,7 @@ std::string phongText(const Vec3<double>& L, const Vec3<double>& N, const Vec3<d
     const double NL = dot(N, L), f = mat.glossy;
     const Vec3<double> R = 2 * NL * N - L;
     return fmt::format("R = 2(N.L)N - L = {}, V = -D = {}, V.R = {}\n(1 - {}) * {} + {} * {}^{} = {}\n", text(R),
-                       text(V), text(dot(V, R)), text(f), text(NL), text(f), text(std::max(0.0, dot(V, R))),
+                       text(V), text(dot(V, R)), text(f), text(NL), text(f), text(std::clamp(dot(V, R), 0.0, 1.0)),
                        text(mat.exponent), text(value));
 }
 
