@@ -211,9 +211,9 @@ void ScenePane::updatePicture()
 
 void ScenePane::rebuildRays()
 {
-    shown = shownPart(drawing, controller);
-    for (auto& segment : otherRays(controller, objects)) shown.segments.push_back(std::move(segment));
-    const auto mesh = buildRayMesh(shown, {.selected = drawing.nodes > 1 ? controller.selected() : -1,
+    visible = shownPart(drawing, controller);
+    for (auto& segment : otherRays(controller, objects)) visible.segments.push_back(std::move(segment));
+    const auto mesh = buildRayMesh(visible, {.selected = drawing.nodes > 1 ? controller.selected() : -1,
                                              .withNormals = controller.showsNormals(),
                                              .width = lineWidth});
     setMesh(solidRays, mesh.solid);
@@ -329,14 +329,14 @@ void ScenePane::setMoving(bool moving)
 bool ScenePane::click(int x, int y)
 {
     const Projector projector(view(), area.width, area.height);
-    const int found = pickSegment(shown, projector, {x + 0.5, y + 0.5}, 10 * scale);
-    if (found >= 0) controller.selectNode(shown.segments[std::size_t(found)].node);
+    const int found = pickSegment(visible, projector, {x + 0.5, y + 0.5}, 10 * scale);
+    if (found >= 0) controller.selectNode(visible.segments[std::size_t(found)].node);
     return false;
 }
 
 void ScenePane::paint(Canvas& canvas)
 {
-    paintSceneOverlay(canvas, {controller, shown, objects, view(), area.width, area.height});
+    paintSceneOverlay(canvas, {controller, visible, objects, view(), area.width, area.height});
 }
 
 } // namespace rt::viz

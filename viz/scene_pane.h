@@ -34,7 +34,7 @@ private:
     Extent objects;
     double lineWidth = 1; // factor; less than 1 when the viewer is near, more when he is far away
     RayDrawing drawing; // of the whole tree
-    RayDrawing shown;   // of the part that is to be seen now
+    RayDrawing visible; // of the part that is to be seen now
     ImagePlane screen;
     vtkNew<vtkRenderer> front; // what shines through whatever hides it, and the labels
     vtkSmartPointer<vtkActor> solidRays, fadingRays, glow, hiddenRays, frustum, picture, chosenPixel;

@@ -174,12 +174,12 @@ std::string html(const Report& report)
     }
     for (const auto& study : report.studies)
     {
-        text += fmt::format("<h2>{}</h2>\n<p>{}x{} pixels; reference: long double, cutoff 0, depth {}.</p>\n",
+        text += fmt::format("<h2>{}</h2>\n<p>{}x{} pixels; reference: long double, depth {}, cutoff {}.</p>\n",
                             escaped(study.name), study.scene.camera.width, study.scene.camera.height,
-                            study.reference.setting.depth);
+                            study.reference.setting.depth, study.reference.setting.cutoff);
         text += figure(study.reference.image, "the reference") +
                 figure(study.many,
-                       fmt::format("{} samples a pixel (double, depth at most 16, cutoff 0.0001)", study.manySamples));
+                       fmt::format("{} samples a pixel (double, depth at most 16, cutoff 0.001)", study.manySamples));
         text += "<h3>Against the same samples: what arithmetic and policies cost</h3>\n" + svg(study, false);
         text += fmt::format("<h3>Against {} samples: what one sees</h3>\n", study.manySamples) + svg(study, true);
         text += "<h3>Dominated: something else is faster and more accurate</h3>\n" + dominatedFigures(study);

@@ -108,12 +108,16 @@ TEST(Study, ASceneWithoutGlassAndMirrorsHasFewerKnobs)
     for (const auto& setting : candidates(scene(24, 18), 4)) EXPECT_FALSE(isExhibit(setting)) << describe(setting);
 }
 
-TEST(Study, AReferenceWhoseTreesGrowWithoutEndIsLessDeep)
+TEST(Study, AReferenceWhoseTreesGrowWithoutEndIsCutOffOrLessDeep)
 {
     const auto box = loadScene(projectFile("lessons/07_recursion_caps/scenes/mirror_box.toml"));
-    EXPECT_LT(referenceSetting(box, 500).depth, 64);
-    EXPECT_EQ(referenceSetting(scene(24, 18), 500).depth, 64);
-    EXPECT_EQ(referenceSetting(box, 500).scalar, Scalar::longDouble);
+    const Setting unlimited{.scalar = Scalar::longDouble, .depth = 64, .cutoff = 0};
+    EXPECT_EQ(referenceSetting(scene(24, 18), 500), unlimited);
+    EXPECT_FALSE(affordable(box, unlimited, 500));
+    const auto limited = referenceSetting(box, 500);
+    EXPECT_TRUE(affordable(box, limited, 500));
+    EXPECT_TRUE(limited.depth < 64 || limited.cutoff > 0);
+    EXPECT_EQ(limited.scalar, Scalar::longDouble);
 }
 
 TEST(Study, StopsWhenItIsTold)
