@@ -9,6 +9,8 @@
 #include <vtkInteractorEventRecorder.h>
 #include <vtkUnsignedCharArray.h>
 
+#include "common/cli.h"
+
 namespace rt::viz
 {
 
@@ -284,6 +286,7 @@ void Window::endMotion()
 
 void Window::tick()
 {
+    if (interrupted()) return interactor->TerminateApp();
     const auto now = Clock::now();
     controller.poll();
     if (controller.isPlaying() && now - lastStep >= stepTime)

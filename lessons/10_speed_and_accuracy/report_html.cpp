@@ -160,8 +160,7 @@ std::string html(const Report& report)
         "display: inline-block; margin-right: 1em; }}\n"
         "</style></head><body>\n<h1>What an approximation costs and buys</h1>\n"
         "<p>{}. {}, flags {}. Times are CPU time of one thread, the minimum of interleaved runs{}. "
-        "PSNR is of linear values, white is 1; the reference has the same samples and is computed in long double "
-        "without cutoff. "
+        "PSNR is of linear values, white is 1; the reference has the same samples and is computed in long double. "
         "A setting is on the front if no other is both as fast and as accurate.</p>\n",
         escaped(cpu), escaped(compiler), escaped(flags),
         report.quick ? "; a quick study: small pictures, few runs" : "");
