@@ -294,15 +294,8 @@ void ScenePane::look(const View& view)
     viewChanged();
 }
 
-/// While the pane has no place VTK may lose the camera.
-void ScenePane::placed()
-{
-    if (isPlaced() && !isFinite(view().position)) look(kept);
-}
-
 void ScenePane::viewChanged()
 {
-    if (isFinite(view().position)) kept = view();
     // Lines are as wide as suits the scene, but neither hairs from afar nor pipes near by.
     const View now = view();
     const Projector projector(now, area.width, area.height);

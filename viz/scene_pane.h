@@ -33,7 +33,6 @@ public:
 private:
     Extent objects;
     double lineWidth = 1; // factor; less than 1 when the viewer is near, more when he is far away
-    View kept;            // the last one that was any
     RayDrawing drawing;   // of the whole tree
     RayDrawing visible;   // of the part that is to be seen now
     ImagePlane screen;
@@ -41,7 +40,6 @@ private:
     vtkSmartPointer<vtkActor> solidRays, fadingRays, glow, hiddenRays, frustum, picture, chosenPixel;
 
     void paint(Canvas& canvas) override;
-    void placed() override;
     void buildObjects();
     void buildPlanes(const Extent& shown);
     void buildLights();

@@ -154,6 +154,14 @@ void Window::dragFrom(int fromX, int fromY, int toX, int toY)
 
 Image Window::picture()
 {
+    if (!isShown && controller.showsHelp())
+    {
+        // VTK resets the cameras of renderers that are hidden when it draws the first time.
+        controller.toggleHelp();
+        window->Render();
+        controller.toggleHelp();
+    }
+    isShown = true;
     window->Render();
     vtkNew<vtkUnsignedCharArray> pixels;
     const int* size = window->GetActualSize();
