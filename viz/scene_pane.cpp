@@ -258,8 +258,15 @@ bool ScenePane::update(unsigned changes)
     return true;
 }
 
+/// Only a pane that has a size can choose its view: at the start the cheat sheet may stand in its place.
+void ScenePane::placed()
+{
+    if (isPlaced() && !isFitted) fitScene();
+}
+
 void ScenePane::fitScene()
 {
+    isFitted = true;
     const vec3 towards = bestDirection(drawing, controller.scene()), up = controller.scene().camera.up;
     const View all = fitView(shownPoints(true), towards, up, aspect());
     const View close = fitView(shownPoints(false), towards, up, aspect());

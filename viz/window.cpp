@@ -51,7 +51,6 @@ Window::Window(Controller& shown, int windowWidth, int windowHeight, bool onScre
         }
     }
     layOut();
-    scene.fitScene();
     controller.changed = [this](unsigned changes) { update(changes); };
     if (!onScreen)
     {
@@ -154,14 +153,6 @@ void Window::dragFrom(int fromX, int fromY, int toX, int toY)
 
 Image Window::picture()
 {
-    if (!isShown && controller.showsHelp())
-    {
-        // VTK resets the cameras of renderers that are hidden when it draws the first time.
-        controller.toggleHelp();
-        window->Render();
-        controller.toggleHelp();
-    }
-    isShown = true;
     window->Render();
     vtkNew<vtkUnsignedCharArray> pixels;
     const int* size = window->GetActualSize();

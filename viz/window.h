@@ -88,7 +88,6 @@ private:
     Look dressedFor;
     PaneId whole = PaneId::none; // enlarged by the user
     LayoutWishes laidOut;
-    bool isShown = false;  // something has been drawn
     Pane* under = nullptr; // the pointer
     int pointerX = -1, pointerY = -1;
     std::string ownMessage; // said by the window: it goes away by itself
