@@ -179,6 +179,7 @@ void watchInterrupt()
 {
     std::signal(SIGINT, [](int) { interruptSeen = true; });
     std::signal(SIGTERM, [](int) { interruptSeen = true; });
+    std::signal(SIGHUP, [](int) { interruptSeen = true; });
 }
 
 std::function<void(double)> progressBar(const std::string& title)

@@ -51,8 +51,21 @@ std::string phongText(const Vec3<double>& L, const Vec3<double>& N, const Vec3<d
     const double NL = dot(N, L), f = mat.glossy;
     const Vec3<double> R = 2 * NL * N - L;
     return fmt::format("R = 2(N.L)N - L = {}, V = -D = {}, V.R = {}\n(1 - {}) * {} + {} * {}^{} = {}\n", text(R),
-                       text(V), text(dot(V, R)), text(f), text(NL), text(f), text(std::max(0.0, dot(V, R))),
+                       text(V), text(dot(V, R)), text(f), text(NL), text(f), text(std::clamp(dot(V, R), 0.0, 1.0)),
                        text(mat.exponent), text(value));
+}
+
+double shadingOf(const RayTree::Shadow& shadow, const RayTree::Node& node, const SceneDescription& scene,
+                 const LectureFormulas& lecture)
+{
+    const auto* mat = materialOf(node, scene);
+    return lecture.phong(shadow.direction, facing(*node.hit), -node.direction, mat ? *mat : Material<double>());
+}
+
+/// What a lamp sends to the point.
+Vec3<double> arriving(const RayTree::Shadow& shadow, const Light<double>& light, double shading)
+{
+    return shadow.tint * light.color * shading / (shadow.distance * shadow.distance);
 }
 
 Formula directLight(const RayTree::Shadow& shadow, const Light<double>& light, const RayTree::Node& node,
@@ -70,7 +83,7 @@ Formula directLight(const RayTree::Shadow& shadow, const Light<double>& light, c
     }
     const double cosine = dot(N, shadow.direction), attenuation = 1 / (shadow.distance * shadow.distance);
     const auto* mat = materialOf(node, scene);
-    const double shading = lecture.phong(shadow.direction, N, -node.direction, mat ? *mat : Material<double>());
+    const double shading = shadingOf(shadow, node, scene, lecture);
     std::string factor = fmt::format("max(0, {})", text(cosine));
     if (mat && mat->glossy > 0)
     {
@@ -85,7 +98,7 @@ Formula directLight(const RayTree::Shadow& shadow, const Light<double>& light, c
         tint = text(shadow.tint) + " * ";
     }
     formula.numbers += fmt::format("{}{} * {} * {} = {}", tint, text(light.color), factor, text(attenuation),
-                                   text(shadow.tint * light.color * shading * attenuation));
+                                   text(arriving(shadow, light, shading)));
     return formula;
 }
 
@@ -141,8 +154,33 @@ std::vector<Formula> boundary(const RayTree& tree, const RayTree::Node& node, co
     return formulas;
 }
 
+/// What the point itself sends: the share that is not mirrored, times its colour, times the light that arrives.
+void addOwnLight(Formula& formula, const RayTree& tree, const RayTree::Node& node, const SceneDescription& scene,
+                 const LectureFormulas& lecture)
+{
+    const auto shadows = tree.shadowsOf(node.id);
+    const auto* mat = materialOf(node, scene);
+    if (shadows.empty() || !mat)
+    {
+        formula.symbolic = "own light";
+        formula.numbers = text(node.own);
+        return;
+    }
+    Vec3<double> direct(0);
+    for (const int index : shadows)
+        if (const auto& shadow = tree.shadows[std::size_t(index)];
+            shadow.visible && std::size_t(shadow.light) < scene.lights.size())
+            direct +=
+                arriving(shadow, scene.lights[std::size_t(shadow.light)], shadingOf(shadow, node, scene, lecture));
+    const bool isPart = mat->mirror > 0;
+    formula.symbolic = fmt::format("{}material color * DirectIllumination", isPart ? "(1 - s) * " : "");
+    formula.numbers = fmt::format("{}{} * {}", isPart ? fmt::format("(1 - {}) * ", text(mat->mirror)) : "",
+                                  text(node.hit->color), text(direct));
+}
+
 /// "color * Trace(1)" for each child, and what came of it.
-Formula sum(const RayTree& tree, const RayTree::Node& node)
+Formula sum(const RayTree& tree, const RayTree::Node& node, const SceneDescription& scene,
+            const LectureFormulas& lecture)
 {
     Formula formula{"Colour", "", ""};
     const auto term = [&](double weight, const std::string& symbol, const Vec3<double>& brought) {
@@ -152,11 +190,8 @@ Formula sum(const RayTree& tree, const RayTree::Node& node)
         formula.numbers += fmt::format("{}{}{} * {}", formula.numbers.empty() ? "" : " + ", share,
                                        text(node.hit->color), text(brought));
     };
-    if (node.own != Vec3<double>(0))
-    {
-        formula.symbolic = "own light";
-        formula.numbers = text(node.own);
-    }
+    if (node.own != Vec3<double>(0) || (node.end != End::none && !tree.shadowsOf(node.id).empty()))
+        addOwnLight(formula, tree, node, scene, lecture);
     for (const int child : tree.childrenOf(node.id))
         term(tree.nodes[std::size_t(child)].weight, fmt::format("Trace([{}])", child),
              tree.nodes[std::size_t(child)].radiance);
@@ -190,7 +225,7 @@ std::vector<Formula> explainNode(const RayTree& tree, const SceneDescription& sc
         for (const int child : tree.childrenOf(id))
             if (tree.nodes[std::size_t(child)].kind == RayKind::reflected)
                 formulas.push_back(reflection(node, tree.nodes[std::size_t(child)]));
-        formulas.push_back(sum(tree, node));
+        formulas.push_back(sum(tree, node, scene, lecture));
     }
     formulas.push_back(contribution(node));
     return formulas;

@@ -239,6 +239,7 @@ ProcessResult runProcess(const std::vector<std::string>& argv, const ProcessLimi
     err.write.close();
 
     ProcessResult result;
+    result.mostOutput = limits.outputBytes;
     std::size_t complaints = 0; // bytes of standard error
     const auto collect = [&] {
         const bool outFits = drain(out.read, result.out, limits.outputBytes);
@@ -313,7 +314,9 @@ std::string describeFailure(const std::string& what, const ProcessResult& result
         return fmt::format("{} was stopped after {} s without an answer", what,
                            result.seconds < 9.5 ? fmt::format("{:.2g}", result.seconds)
                                                 : fmt::format("{:.0f}", result.seconds));
-    if (result.tooMuchOutput) return fmt::format("{} wrote more than {}", what, sizeText(result.out.size()));
+    if (result.tooMuchOutput)
+        return fmt::format("{} wrote more than {} to {}", what, sizeText(result.mostOutput),
+                           result.out.size() < result.mostOutput ? "standard error" : "standard output");
     if (result.signal == SIGKILL) return what + " was killed from outside, perhaps for want of memory";
     if (result.signal != 0) return fmt::format("{} crashed ({})", what, signalText(result.signal));
     if (result.exitCode < 0) return what + " ended, it is not known how";

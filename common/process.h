@@ -21,9 +21,10 @@ struct ProcessResult
     int exitCode = -1; ///< -1 if it did not end by itself
     int signal = 0;    ///< that ended it; 0: none
     bool timedOut = false, tooMuchOutput = false, stopped = false;
-    double seconds = 0; ///< of wall time that it ran
-    std::string out;    ///< standard output, at most the limit
-    std::string err;    ///< the last 64 KiB of standard error
+    double seconds = 0;         ///< of wall time that it ran
+    std::size_t mostOutput = 0; ///< the limit that it had
+    std::string out;            ///< standard output, at most the limit
+    std::string err;            ///< the last 64 KiB of standard error
 
     bool ok() const { return exitCode == 0 && signal == 0 && !timedOut && !tooMuchOutput && !stopped; }
 };

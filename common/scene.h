@@ -47,7 +47,12 @@ public:
     bool occluded(const Point<Real>& I, const Vec3<Real>& L, Real distance, const Formulas& shapes = {}) const;
 
     /// The product of the colours of all dielectric surfaces on that segment; white unless shadow_through_glass = "tint".
-    Vec3<Real> shadowTint(const Point<Real>& I, const Vec3<Real>& L, Real distance) const;
+    Vec3<Real> shadowTint(const Point<Real>& I, const Vec3<Real>& L, Real distance) const
+    {
+        // Here, to be inlined: most scenes need nothing else.
+        if (settings.shadowThroughGlass == ShadowThroughGlass::block) return Vec3<Real>(1);
+        return tintBetween(I, L, distance);
+    }
 
     /// "sphere0", "plane1", "triangle2": kind, and order in the file among its kind; "mesh0.triangle12" in a mesh.
     std::string primitiveName(PrimitiveId id) const;
@@ -72,6 +77,8 @@ private:
 
     Hit<Real> finish(const Ray<Real>& ray, Real t, PrimitiveId id, const Vec3<Real>& I, const Vec3<Real>& outward,
                      int material) const;
+
+    Vec3<Real> tintBetween(const Point<Real>& I, const Vec3<Real>& L, Real distance) const;
 
     Real brightestReturn() const;
     const Material<Real>& materialOf(PrimitiveId id) const;
@@ -239,10 +246,9 @@ bool Scene<Real>::occluded(const Point<Real>& I, const Vec3<Real>& L, Real dista
 }
 
 template <std::floating_point Real>
-Vec3<Real> Scene<Real>::shadowTint(const Point<Real>& I, const Vec3<Real>& L, Real distance) const
+Vec3<Real> Scene<Real>::tintBetween(const Point<Real>& I, const Vec3<Real>& L, Real distance) const
 {
     Vec3<Real> tint(1);
-    if (settings.shadowThroughGlass == ShadowThroughGlass::block) return tint;
     // From surface to surface, as the light goes straight on: each one that is crossed takes its share. A line crosses a
     // sphere twice at most; where two surfaces coincide, rounding might find now the one, now the other for ever.
     Ray<Real> ray{.O = I, .D = L, .from = I.on};

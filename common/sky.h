@@ -56,7 +56,7 @@ public:
     template <class Formulas = SkyFormulas<Real>>
     Vec3<Real> color(const Vec3<Real>& D, const Formulas& formulas = {}) const
     {
-        if (length(D - sun) <= sunChord) return sunColor;
+        if (sunChord >= 0 && length(D - sun) <= sunChord) return sunColor;
         if (image)
         {
             const auto [u, v] = mapping == SkyMapping::latlong ? formulas.latLong(D) : SkyFormulas<Real>::angularMap(D);

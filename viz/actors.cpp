@@ -58,6 +58,7 @@ vtkSmartPointer<vtkPolyData> polyData(const Mesh& mesh)
 {
     auto data = vtkSmartPointer<vtkPolyData>::New();
     vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble(); // scenes may lie far from the origin
     vtkNew<vtkFloatArray> normals;
     normals->SetName("Normals");
     normals->SetNumberOfComponents(3);
@@ -115,6 +116,7 @@ vtkSmartPointer<vtkActor> pictureActor(const vec3& corner, const vec3& right, co
 {
     auto data = vtkSmartPointer<vtkPolyData>::New();
     vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble(); // scenes may lie far from the origin
     vtkNew<vtkFloatArray> coordinates;
     coordinates->SetName("Texture");
     coordinates->SetNumberOfComponents(2);

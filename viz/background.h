@@ -38,9 +38,10 @@ public:
         return result.get();
     }
 
-    void wait() const
+    /// Waits, at most that long; true if there is nothing to wait for any more.
+    bool waitFor(std::chrono::milliseconds time) const
     {
-        if (isBusy()) result.wait();
+        return !isBusy() || result.wait_for(time) == std::future_status::ready;
     }
 
     void cancel()

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "common/cli.h"
+
 namespace rt::viz
 {
 
@@ -123,7 +125,12 @@ void Controller::take(Trees&& trees)
 {
     said.clear();
     treeProblem = trees.failure;
-    if (!treeProblem.empty() && trees.mine.nodes.empty()) return;
+    if (!treeProblem.empty() && trees.mine.nodes.empty())
+    {
+        // Of a program that cannot trace one pixel no picture is awaited.
+        if (session.source.isSlow && rays.nodes.empty()) painter.cancel();
+        return;
+    }
     const auto* before = node();
     const RayKind kind = before ? before->kind : RayKind::camera;
     const int depth = before ? before->depth : 0;
@@ -140,7 +147,8 @@ void Controller::compare(const RayTree& other)
 {
     const bool precisionsDiffer = (rays.real == "float") != (other.real == "float");
     const TreeTolerance tolerance = precisionsDiffer ? floatAgainstDouble() : TreeTolerance{};
-    compared = TreeComparison{other, matchTrees(rays, other, tolerance), firstDifference(rays, other, tolerance)};
+    compared =
+        TreeComparison{other, matchTrees(rays, other, tolerance), firstDifference(rays, other, tolerance), tolerance};
 }
 
 void Controller::indexEvents()
@@ -168,6 +176,8 @@ void Controller::choosePixel(int x, int y)
     const auto& camera = session.scene.camera;
     const std::array<int, 2> chosen{std::clamp(x, 0, camera.width - 1), std::clamp(y, 0, camera.height - 1)};
     if (pixel() == chosen) return;
+    if (session.source.isFixed)
+        return say(session.source.title + " holds the tree of one pixel: no other can be chosen");
     session.probe = chosen;
     traceTree();
 }
@@ -247,6 +257,7 @@ void Controller::setMaxDepth(int depth)
 {
     depth = std::clamp(depth, 0, deepestCap);
     if (depth == maxDepth()) return;
+    if (session.source.isFixed) return say(session.source.title + " holds a tree that is traced: its depth stays");
     session.scene.trace.maxDepth = depth;
     paintPicture();
     traceTree();
@@ -289,10 +300,13 @@ bool Controller::poll()
 
 void Controller::wait()
 {
-    do {
-        painter.wait();
-        tracer.wait();
-    } while (poll());
+    const auto finish = [this](auto& work) {
+        while (!work.waitFor(std::chrono::milliseconds(50)))
+            if (interrupted()) work.cancel();
+        poll();
+    };
+    finish(tracer); // first: of a program that cannot trace, no picture is awaited
+    finish(painter);
 }
 
 void Controller::setWeakest(double throughput)

@@ -61,6 +61,7 @@ struct TreeComparison
     RayTree tree;    ///< of the other source
     TreeMatch match; ///< expected: the controller's own tree; got: this one
     std::optional<TreeDifference> first;
+    TreeTolerance tolerance; ///< smaller differences are none
 };
 
 class Controller
@@ -149,7 +150,7 @@ public:
 
     /// Takes over what the background has finished; true while it is still at work. A window calls it now and then.
     bool poll();
-    /// Until the background has finished.
+    /// Until the background has finished, or somebody interrupts.
     void wait();
 
     /// Called after each action that changed something, with a sum of Change.

@@ -46,6 +46,20 @@ bool isBackdrop(const SphereDescription& sphere, const CameraDescription& camera
     return sphere.radius > 4 * lookingDistance(camera) || !isNear(sphere.center, camera);
 }
 
+Extent extentOf(const SceneDescription& scene, const RayTree& tree)
+{
+    const Extent objects = objectExtent(scene);
+    const bool isEmpty =
+        scene.spheres.empty() && scene.planes.empty() && scene.triangles.empty() && scene.meshes.empty();
+    std::vector<vec3> points;
+    for (const auto& node : tree.nodes)
+    {
+        if (node.hit) points.push_back(node.hit->point);
+        if (node.hit || node.parent >= 0) points.push_back(node.origin);
+    }
+    return isEmpty ? around(points, objects) : objects;
+}
+
 std::vector<vec3> objectPoints(const SceneDescription& scene)
 {
     std::vector<vec3> points;

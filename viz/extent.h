@@ -25,6 +25,9 @@ Extent around(const std::vector<vec3>& points, const Extent& fallback);
 /// Not smaller than a part of the distance that the camera looks. Without objects: around what the camera looks at.
 Extent objectExtent(const SceneDescription& scene);
 
+/// The same; of a tree whose scene is not known, around its rays.
+Extent extentOf(const SceneDescription& scene, const RayTree& tree);
+
 /// Corners of the objects' bounding boxes, the same objects that objectExtent counts.
 std::vector<vec3> objectPoints(const SceneDescription& scene);
 

@@ -265,7 +265,7 @@ std::string hexOf(const vec3& linear)
 Json htmlData(const HtmlPage& page)
 {
     const auto& tree = page.tree;
-    const Extent objects = objectExtent(page.scene);
+    const Extent objects = extentOf(page.scene, page.tree);
     const auto drawing = drawRays(tree, page.scene, objects);
     Json json = {{"title", page.title},
                  {"scene", page.scene.title},

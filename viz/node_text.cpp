@@ -127,7 +127,10 @@ std::vector<TextLine> nodeText(const Controller& controller, std::size_t columns
     const auto* node = controller.node();
     if (!node)
     {
-        add(lines, TextStyle::note, "Nothing was traced: the exercise has not been attempted.", columns);
+        const auto& message = controller.message();
+        add(lines, TextStyle::note,
+            message.empty() ? "Nothing was traced. An exercise that has not been attempted looks like this." : message,
+            columns);
         return lines;
     }
     if (node->orphan)

@@ -11,8 +11,8 @@ namespace rt::viz
 struct Segment
 {
     RayRole role = RayRole::camera;
-    int node = 0;   ///< the ray itself, or the node at whose hit point a shadow ray or a normal starts
-    int light = -1; ///< of shadow rays
+    int node = 0;    ///< the ray itself, or the node at whose hit point a shadow ray or a normal starts
+    int light = -1;  ///< of shadow rays
     int shadow = -1; ///< index of the shadow ray in its tree
     int capped = -1; ///< index of the ray that was not followed
     vec3 from{0, 0, 0}, to{0, 0, 0};

@@ -54,7 +54,7 @@ vtkSmartPointer<vtkActor> glowActor(const SceneDescription& scene, double radius
 
 } // namespace
 
-ScenePane::ScenePane(Controller& watched) : Pane(watched), objects(objectExtent(watched.scene()))
+ScenePane::ScenePane(Controller& watched) : Pane(watched), objects(extentOf(watched.scene(), watched.tree()))
 {
     auto* view = renderer();
     view->GradientBackgroundOn();
@@ -211,9 +211,9 @@ void ScenePane::updatePicture()
 
 void ScenePane::rebuildRays()
 {
-    shown = shownPart(drawing, controller);
-    for (auto& segment : otherRays(controller, objects)) shown.segments.push_back(std::move(segment));
-    const auto mesh = buildRayMesh(shown, {.selected = drawing.nodes > 1 ? controller.selected() : -1,
+    visible = shownPart(drawing, controller);
+    for (auto& segment : otherRays(controller, objects)) visible.segments.push_back(std::move(segment));
+    const auto mesh = buildRayMesh(visible, {.selected = drawing.nodes > 1 ? controller.selected() : -1,
                                              .withNormals = controller.showsNormals(),
                                              .width = lineWidth});
     setMesh(solidRays, mesh.solid);
@@ -258,8 +258,15 @@ bool ScenePane::update(unsigned changes)
     return true;
 }
 
+/// Only a pane that has a size can choose its view: at the start the cheat sheet may stand in its place.
+void ScenePane::placed()
+{
+    if (isPlaced() && !isFitted) fitScene();
+}
+
 void ScenePane::fitScene()
 {
+    isFitted = true;
     const vec3 towards = bestDirection(drawing, controller.scene()), up = controller.scene().camera.up;
     const View all = fitView(shownPoints(true), towards, up, aspect());
     const View close = fitView(shownPoints(false), towards, up, aspect());
@@ -329,14 +336,14 @@ void ScenePane::setMoving(bool moving)
 bool ScenePane::click(int x, int y)
 {
     const Projector projector(view(), area.width, area.height);
-    const int found = pickSegment(shown, projector, {x + 0.5, y + 0.5}, 10 * scale);
-    if (found >= 0) controller.selectNode(shown.segments[std::size_t(found)].node);
+    const int found = pickSegment(visible, projector, {x + 0.5, y + 0.5}, 10 * scale);
+    if (found >= 0) controller.selectNode(visible.segments[std::size_t(found)].node);
     return false;
 }
 
 void ScenePane::paint(Canvas& canvas)
 {
-    paintSceneOverlay(canvas, {controller, shown, objects, view(), area.width, area.height});
+    paintSceneOverlay(canvas, {controller, visible, objects, view(), area.width, area.height});
 }
 
 } // namespace rt::viz

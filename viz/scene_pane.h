@@ -32,14 +32,16 @@ public:
 
 private:
     Extent objects;
-    double lineWidth = 1; // factor; less than 1 when the viewer is near, more when he is far away
-    RayDrawing drawing; // of the whole tree
-    RayDrawing shown;   // of the part that is to be seen now
+    bool isFitted = false; // the view has been chosen
+    double lineWidth = 1;  // factor; less than 1 when the viewer is near, more when he is far away
+    RayDrawing drawing;    // of the whole tree
+    RayDrawing visible;    // of the part that is to be seen now
     ImagePlane screen;
     vtkNew<vtkRenderer> front; // what shines through whatever hides it, and the labels
     vtkSmartPointer<vtkActor> solidRays, fadingRays, glow, hiddenRays, frustum, picture, chosenPixel;
 
     void paint(Canvas& canvas) override;
+    void placed() override;
     void buildObjects();
     void buildPlanes(const Extent& shown);
     void buildLights();

@@ -62,6 +62,8 @@ void goTo(Controller& controller, const std::string& step)
     if (step == "first") return controller.stepTo(0);
     if (step == "last") return controller.stepTo(controller.lastStep());
     if (step.starts_with('+') || step.starts_with('-')) return controller.stepBy(whole(step));
+    if (whole(step) > controller.lastStep())
+        throw std::runtime_error(fmt::format("there are {} steps", controller.lastStep()));
     controller.stepTo(whole(step));
 }
 
@@ -139,14 +141,20 @@ const std::vector<CommandKind>& commandKinds()
          "the depth cap: rays deeper than N are not traced",
          false,
          [](const ScriptHost& host, const Words& w) {
-             host.controller.setMaxDepth(whole(w[1]));
+             const int depth = whole(w[1]);
+             if (depth < 0 || depth > 1024) throw std::runtime_error("expected a depth from 0 to 1024");
+             host.controller.setMaxDepth(depth);
              host.controller.wait();
          }},
         {"hide",
          {"NUMBER"},
          "hide rays of less throughput than this share (0 to 1)",
          false,
-         [](const ScriptHost& host, const Words& w) { host.controller.setWeakest(*numberOf(w[1])); }},
+         [](const ScriptHost& host, const Words& w) {
+             const double share = *numberOf(w[1]);
+             if (share < 0 || share > 1) throw std::runtime_error("expected a share from 0 to 1");
+             host.controller.setWeakest(share);
+         }},
         {"kind",
          {"camera|reflected|transmitted|lit|blocked", "on|off"},
          "show or hide a kind of rays",

@@ -32,15 +32,15 @@ bool needsWindow(const std::vector<ScriptCommand>& commands);
 struct ScriptHost
 {
     Controller& controller;
-    std::function<void(const std::string& file)> exportTo; ///< a file, or a folder for all formats
+    std::function<void(const std::string& file)> exportTo{}; ///< a file, or a folder for all formats
     // In a window; coordinates from its upper left corner.
-    std::function<void(const std::string& file)> shot;
-    std::function<void(const std::string& key)> key;
-    std::function<void(int x, int y)> click;
-    std::function<void(int fromX, int fromY, int toX, int toY)> drag;
-    std::function<void(int x, int y)> hover;
-    std::function<void(int x, int y, bool forward)> wheel;
-    std::function<void(int width, int height)> resize;
+    std::function<void(const std::string& file)> shot{};
+    std::function<void(const std::string& key)> key{};
+    std::function<void(int x, int y)> click{};
+    std::function<void(int fromX, int fromY, int toX, int toY)> drag{};
+    std::function<void(int x, int y)> hover{};
+    std::function<void(int x, int y, bool forward)> wheel{};
+    std::function<void(int width, int height)> resize{};
 };
 
 /// Runs them in order. Throws std::runtime_error with one sentence at the first that fails.

@@ -40,7 +40,8 @@ std::vector<Segment> otherRays(const Controller& controller, const Extent& objec
     std::vector<Segment> found;
     const auto* comparison = controller.comparison();
     if (!comparison) return found;
-    const auto& [tree, match, first] = *comparison;
+    const auto& tree = comparison->tree;
+    const auto& match = comparison->match;
     for (auto segment : drawRays(tree, controller.scene(), objects).segments)
     {
         if (!isRay(segment.role) || segment.capped >= 0) continue;

@@ -41,6 +41,7 @@ const std::vector<KeyHelp>& keyHelp()
 {
     static const std::vector<KeyHelp> help{
         {"click", "pixel or ray", "the picture: choose the pixel; space or tree: choose a ray"},
+        {"h", "help", "this sheet"},
         {"← →", "step", "one step back, one step on; the recursion as it happened"},
         {"Space", "play", "play the steps, pause"},
         {"↑ ↓", "ray", "previous and next ray of the tree"},
@@ -50,7 +51,6 @@ const std::vector<KeyHelp>& keyHelp()
         {"r", "fit scene", "show the whole scene and picture"},
         {"t", "fit rays", "show all rays of the tree, in space and in the graph"},
         {"m", "enlarge", "the pane under the pointer takes all the room, and gives it back"},
-        {"h", "help", "this sheet"},
         {"Home End", "", "before the first step, after the last"},
         {"g 12 ⏎", "", "go to ray 12"},
         {"1 2 3 4 5", "", "show or hide camera, reflected, transmitted, shadow rays lit and blocked"},

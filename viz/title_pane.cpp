@@ -99,7 +99,8 @@ void TitlePane::paintComparison(Canvas& canvas, double height)
     x += canvas.textWithin(x, y, area.width - x - pad, name, {Font::bold, 13, other}) + canvas.px(14);
     if (!comparison->first)
     {
-        canvas.textWithin(x, y, area.width - x - pad, "both trees agree", plain);
+        canvas.textWithin(x, y, area.width - x - pad,
+                          fmt::format("no difference above {:g}, relatively", comparison->tolerance.relative), plain);
         return;
     }
     // The way to it is a key away, if there is room to say so.

@@ -34,6 +34,7 @@ TreeSource fileSource(const RayTree& tree, const std::string& file)
     TreeSource source;
     source.title = std::filesystem::path(file).filename().string();
     source.models = allFeatures();
+    source.isFixed = true;
     source.inspect = [tree](const SceneDescription&, const Probe&, const std::atomic<bool>&) { return tree; };
     return source;
 }

@@ -16,6 +16,8 @@ struct TreeSource
     FeatureSet models; ///< what it can show
     /// It asks another process: it may take seconds, or fail.
     bool isSlow = false;
+    /// It has one tree, whatever is asked for.
+    bool isFixed = false;
     /// Linear RGB; empty: it makes no pictures. Throws std::runtime_error with one sentence.
     std::function<Image(const SceneDescription&, const RenderOptions&)> render;
     /// May be called from another thread; returns early, with anything, once `stop` is set. Throws std::runtime_error

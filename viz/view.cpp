@@ -152,7 +152,7 @@ View fitView(const std::vector<vec3>& points, const vec3& towards, const vec3& u
     // A point p is shown if its offsets from the viewer are within the tangents times its depth; each side bounds the
     // viewer's place by one plane, so the nearest place on each axis follows from the extremes.
     double maxRight = -infinity<double>, maxLeft = maxRight, maxUp = maxRight, maxDown = maxRight, maxBack = maxRight;
-    vec3 middle(0);
+    vec3 middle(0), lowest(infinity<double>), highest(-infinity<double>);
     int count = 0;
     for (const auto& p : points)
     {
@@ -164,6 +164,8 @@ View fitView(const std::vector<vec3>& points, const vec3& towards, const vec3& u
         maxDown = std::max(maxDown, -y + low * z);
         maxBack = std::max(maxBack, z);
         middle += p;
+        lowest = min(lowest, p);
+        highest = max(highest, p);
         ++count;
     }
     view.up = above;
@@ -174,10 +176,12 @@ View fitView(const std::vector<vec3>& points, const vec3& towards, const vec3& u
     }
     middle /= count;
     double z = std::max((maxRight + maxLeft) / (2 * left), (maxUp + maxDown) / (high + low));
-    z = std::max(z, maxBack + 1e-3 * (1 + std::abs(maxBack)));
+    // Never inside what is looked at, and at some distance even from a single point.
+    const double span = length(highest - lowest), size = span > 0 ? span : 1;
+    z = std::max(z, maxBack + 1e-3 * size);
     const double x = (maxRight - maxLeft) / 2, y = (maxUp - high * z + low * z - maxDown) / 2;
     view.position = x * right + y * above + z * back;
-    view.focal = view.position - std::max(1e-6, z - dot(middle, back)) * back;
+    view.focal = view.position - std::max(1e-3 * size, z - dot(middle, back)) * back;
     return view;
 }
 

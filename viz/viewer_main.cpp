@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -32,13 +33,14 @@ constexpr int startLesson = 6;
 struct ViewerOptions : TraceOptions
 {
     std::string lesson; ///< its number; empty: the smallest that is sufficient
-    std::string screenshot, exportTo, script, tracer, compare, record, play, state;
+    std::string screenshot, exportTo, tracer, compare, record, play, state;
+    std::optional<std::string> script;
     std::string windowSize = "1600x900";
     std::string look = "dark";
     bool force = false;
 
     /// Files are all that is wanted: no window to use.
-    bool isHeadless() const { return !screenshot.empty() || !exportTo.empty() || !script.empty(); }
+    bool isHeadless() const { return !screenshot.empty() || !exportTo.empty() || script; }
 };
 
 const LessonEntry& lessonOf(const std::string& text)
@@ -66,8 +68,14 @@ std::array<int, 2> windowSize(const std::string& text)
 /// The scene of a tree from a file: the one that it names, if that can be read, or just a camera that looks along its ray.
 SceneDescription sceneOf(const RayTree& tree, std::string& problem)
 {
+    // A stranger's file may name anything: only what looks like a scene is opened. (Files of /proc have no size.)
+    const auto isScene = [](const std::filesystem::path& file) {
+        std::error_code error;
+        return file.extension() == ".toml" && std::filesystem::is_regular_file(file, error) &&
+               std::filesystem::file_size(file, error) > 0 && !error;
+    };
     for (const auto& file : {tree.scene, projectFile(tree.scene)})
-        if (!tree.scene.empty() && std::filesystem::is_regular_file(file))
+        if (isScene(file))
         {
             try
             {
@@ -198,12 +206,23 @@ ScriptHost scriptHost(Controller& controller, LateWindow& window)
     host.shot = [&](const std::string& file) { writeImage(window().picture(), file); };
     host.key = [&](const std::string& key) { window().press(key); };
     // VTK counts from the lower left corner.
-    const auto up = [&](int y) { return window().heightInPixels() - 1 - y; };
-    host.click = [&, up](int x, int y) { window().click(x, up(y)); };
-    host.drag = [&, up](int fromX, int fromY, int toX, int toY) { window().dragFrom(fromX, up(fromY), toX, up(toY)); };
-    host.hover = [&, up](int x, int y) { window().hover(x, up(y)); };
-    host.wheel = [&, up](int x, int y, bool forward) { window().wheel(x, up(y), forward); };
-    host.resize = [&](int width, int height) { window().resize(width, height); };
+    const auto up = [&](int x, int y) {
+        const auto [width, height] = window().size();
+        if (x < 0 || y < 0 || x >= width || y >= height)
+            throw std::runtime_error(fmt::format("the window has {} x {} pixels, counted from 0", width, height));
+        return height - 1 - y;
+    };
+    host.click = [&, up](int x, int y) { window().click(x, up(x, y)); };
+    host.drag = [&, up](int fromX, int fromY, int toX, int toY) {
+        window().dragFrom(fromX, up(fromX, fromY), toX, up(toX, toY));
+    };
+    host.hover = [&, up](int x, int y) { window().hover(x, up(x, y)); };
+    host.wheel = [&, up](int x, int y, bool forward) { window().wheel(x, up(x, y), forward); };
+    host.resize = [&](int width, int height) {
+        if (std::min(width, height) < 1 || std::max(width, height) > 8192)
+            throw std::runtime_error("a window has 1 to 8192 pixels each way");
+        window().resize(width, height);
+    };
     return host;
 }
 
@@ -212,9 +231,9 @@ int view(const ViewerOptions& options, char** argv)
     const auto [width, height] = windowSize(options.windowSize);
     if (!options.screenshot.empty()) checkWritable(options.screenshot);
     if (!options.exportTo.empty()) checkExport(options.exportTo);
-    const bool isFile =
-        options.script.find_first_of(";\n") == std::string::npos && std::filesystem::is_regular_file(options.script);
-    const auto commands = parseScript(isFile ? readTextFile(options.script) : options.script);
+    const auto script = options.script.value_or("");
+    const bool isFile = script.find_first_of(";\n") == std::string::npos && std::filesystem::is_regular_file(script);
+    const auto commands = parseScript(isFile ? readTextFile(script) : script);
 
     const bool drawn = !options.screenshot.empty() || !options.play.empty() || needsWindow(commands);
     const bool display = (drawn || !options.isHeadless()) && hasDisplay();
@@ -231,8 +250,11 @@ int view(const ViewerOptions& options, char** argv)
                         "and --script need none\n");
         return exitNoDisplay;
     }
+    watchInterrupt();
+    session.render.stop = &interrupted();
     Controller controller(std::move(session));
     if (options.isHeadless()) controller.wait();
+    if (interrupted()) return exitInterrupted;
     if (!problem.empty()) controller.say(problem);
     if (options.isHeadless() && controller.tree().nodes.empty() && !controller.message().empty())
         throw std::runtime_error(controller.message());

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #include <fmt/format.h>
 #include <vtkCallbackCommand.h>
 #include <vtkInteractorEventRecorder.h>
 #include <vtkUnsignedCharArray.h>
+
+#include "common/cli.h"
 
 namespace rt::viz
 {
@@ -49,7 +52,6 @@ Window::Window(Controller& shown, int windowWidth, int windowHeight, bool onScre
         }
     }
     layOut();
-    scene.fitScene();
     controller.changed = [this](unsigned changes) { update(changes); };
     if (!onScreen)
     {
@@ -103,6 +105,26 @@ void Window::resize(int newWidth, int newHeight)
     if (interactor) window->Render();
 }
 
+namespace
+{
+
+/// A recording must not depend on how fast somebody is, nor end the program that plays it: without timers and key q.
+void tidyRecording(const std::string& file)
+{
+    std::istringstream lines(readTextFile(file));
+    std::string kept;
+    for (std::string line; std::getline(lines, line);)
+    {
+        const bool isKey = line.starts_with("Key") || line.starts_with("Char");
+        if (line.starts_with("TimerEvent") || line.starts_with("RenderEvent")) continue;
+        if (isKey && (line.ends_with(" q") || line.ends_with(" Q"))) continue;
+        kept += line + "\n";
+    }
+    writeTextFile(file, kept);
+}
+
+} // namespace
+
 void Window::run(const std::string& record)
 {
     vtkNew<vtkInteractorEventRecorder> recorder;
@@ -118,7 +140,10 @@ void Window::run(const std::string& record)
         recorder->Record();
     }
     interactor->Start();
-    if (!record.empty()) recorder->Stop();
+    if (record.empty()) return;
+    recorder->Stop();
+    recorder->EnabledOff(); // closes the file
+    tidyRecording(record);
 }
 
 void Window::replay(const std::string& file)
@@ -284,6 +309,7 @@ void Window::endMotion()
 
 void Window::tick()
 {
+    if (interrupted()) return interactor->TerminateApp();
     const auto now = Clock::now();
     controller.poll();
     if (controller.isPlaying() && now - lastStep >= stepTime)

@@ -1,6 +1,7 @@
 // The viewer's window: panes around one controller.
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <functional>
 #include <memory>
@@ -40,7 +41,7 @@ public:
     /// What the window shows.
     Image picture();
     void resize(int width, int height);
-    int heightInPixels() const { return height; }
+    std::array<int, 2> size() const { return {width, height}; }
 
     /// What key e does, if anything.
     std::function<void()> exportAll;

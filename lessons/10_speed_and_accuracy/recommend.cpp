@@ -66,8 +66,8 @@ std::optional<Recommendation> recommend(const SceneDescription& scene, const Wis
     result.stride = std::max(1, height / rows);
 
     result.reference = referenceSetting(scene, 500);
-    if (wish.many)
-        result.reference = {.depth = std::min(16, result.reference.depth), .cutoff = 1e-4, .spp = wish.manySamples};
+    const int deepest = std::max(8, result.reference.depth);
+    if (wish.many) result.reference = {.depth = std::min(16, result.reference.depth), .spp = wish.manySamples};
     say(fmt::format("the reference: {}, depth {}, cutoff {}, {} sample{} a pixel", name(result.reference.scalar),
                     result.reference.depth, result.reference.cutoff, result.reference.spp,
                     result.reference.spp > 1 ? "s" : ""));
@@ -77,7 +77,8 @@ std::optional<Recommendation> recommend(const SceneDescription& scene, const Wis
 
     std::vector<Measured> all;
     for (const auto& setting : candidates(scene, wish.many ? 64 : 1))
-        all.push_back({.setting = setting, .subject = prepare(scene, setting), .rows = {}});
+        if (setting.depth <= deepest && affordable(scene, setting, 200))
+            all.push_back({.setting = setting, .subject = prepare(scene, setting), .rows = {}});
     result.measured = int(all.size());
     const double pixelsARow = double(height) / double((height + result.stride - 1) / result.stride);
     for (int round = 0; round < 4; ++round)

@@ -53,41 +53,15 @@ Machine thisMachine()
 
 std::vector<std::string> csvColumns()
 {
-    return {"scene",
-            "knob",
-            "setting",
-            "scalar",
-            "sphere",
-            "leaving",
-            "fresnel",
-            "depth",
-            "cutoff",
-            "samples",
-            "width",
-            "height",
-            "ns_per_pixel",
-            "ns_per_ray",
-            "rays_per_pixel",
-            "rounds",
-            "max_absolute",
-            "rms",
-            "max_relative",
-            "rms_relative",
-            "psnr_db",
-            "psnr_many_db",
-            "visible_pixels",
-            "wrong_first_hit",
-            "wrong_tree",
-            "acne_pixels",
-            "leak_pixels",
-            "non_finite_pixels",
-            "pareto",
-            "pareto_many",
-            "reference_depth",
-            "many_samples",
-            "compiler",
-            "flags",
-            "cpu",
+    return {"scene",        "knob",         "setting",         "scalar",
+            "sphere",       "leaving",      "fresnel",         "depth",
+            "cutoff",       "samples",      "width",           "height",
+            "ns_per_pixel", "ns_per_ray",   "rays_per_pixel",  "rounds",
+            "max_absolute", "rms",          "max_relative",    "rms_relative",
+            "psnr_db",      "psnr_many_db", "visible_pixels",  "wrong_first_hit",
+            "wrong_tree",   "acne_pixels",  "leak_pixels",     "non_finite_pixels",
+            "pareto",       "pareto_many",  "reference_depth", "reference_cutoff",
+            "many_samples", "compiler",     "flags",           "cpu",
             "plan"};
 }
 
@@ -131,6 +105,7 @@ std::string csv(const Report& report)
                                             number(row.front),
                                             number(row.manyFront),
                                             number(study.reference.setting.depth),
+                                            number(study.reference.setting.cutoff),
                                             number(study.manySamples)};
             for (auto& field : machineFields(report)) fields.push_back(std::move(field));
             text += line(fields);

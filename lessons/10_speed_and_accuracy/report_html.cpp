@@ -160,8 +160,7 @@ std::string html(const Report& report)
         "display: inline-block; margin-right: 1em; }}\n"
         "</style></head><body>\n<h1>What an approximation costs and buys</h1>\n"
         "<p>{}. {}, flags {}. Times are CPU time of one thread, the minimum of interleaved runs{}. "
-        "PSNR is of linear values, white is 1; the reference has the same samples and is computed in long double "
-        "without cutoff. "
+        "PSNR is of linear values, white is 1; the reference has the same samples and is computed in long double. "
         "A setting is on the front if no other is both as fast and as accurate.</p>\n",
         escaped(cpu), escaped(compiler), escaped(flags),
         report.quick ? "; a quick study: small pictures, few runs" : "");
@@ -174,12 +173,12 @@ std::string html(const Report& report)
     }
     for (const auto& study : report.studies)
     {
-        text += fmt::format("<h2>{}</h2>\n<p>{}x{} pixels; reference: long double, cutoff 0, depth {}.</p>\n",
+        text += fmt::format("<h2>{}</h2>\n<p>{}x{} pixels; reference: long double, depth {}, cutoff {}.</p>\n",
                             escaped(study.name), study.scene.camera.width, study.scene.camera.height,
-                            study.reference.setting.depth);
+                            study.reference.setting.depth, study.reference.setting.cutoff);
         text += figure(study.reference.image, "the reference") +
                 figure(study.many,
-                       fmt::format("{} samples a pixel (double, depth at most 16, cutoff 0.0001)", study.manySamples));
+                       fmt::format("{} samples a pixel (double, depth at most 16, cutoff 0.001)", study.manySamples));
         text += "<h3>Against the same samples: what arithmetic and policies cost</h3>\n" + svg(study, false);
         text += fmt::format("<h3>Against {} samples: what one sees</h3>\n", study.manySamples) + svg(study, true);
         text += "<h3>Dominated: something else is faster and more accurate</h3>\n" + dominatedFigures(study);

@@ -132,10 +132,11 @@ std::string markdown(const Report& report)
                 front(overAll(report.studies), false) + "\n";
     if (const auto* classic = find(report, "classic"))
     {
-        text += fmt::format("The classic scene, against the same samples (reference: long double, cutoff 0, depth {}). "
-                            "The front:\n\n",
-                            classic->reference.setting.depth) +
-                front(*classic, false);
+        text +=
+            fmt::format("The classic scene, against the same samples (reference: long double, depth {}, cutoff {}). "
+                        "The front:\n\n",
+                        classic->reference.setting.depth, classic->reference.setting.cutoff) +
+            front(*classic, false);
         text +=
             fmt::format("\nThe front against {} samples a pixel:\n\n", classic->manySamples) + front(*classic, true);
         for (const char* name : {"scalar type", "Fresnel", "depth", "cutoff"})

@@ -41,15 +41,25 @@ SceneDescription resized(SceneDescription scene, int width, int height)
     return scene;
 }
 
+bool affordable(const SceneDescription& scene, const Setting& setting, int mostRays)
+{
+    // On a coarse picture, in double, without samples: the trees are the same but for a few pixels.
+    const std::atomic<bool> go = false;
+    Setting coarse = setting;
+    coarse.spp = 1;
+    if (coarse.scalar == Scalar::longDouble) coarse.scalar = Scalar::doubled;
+    return prepare(resized(scene, 32, 24), coarse)->inspect(1, false, 32 * 24 * std::int64_t(mostRays), go).has_value();
+}
+
 Setting referenceSetting(const SceneDescription& scene, int mostRays)
 {
-    // On a coarse picture, in double: the trees are the same but for a few pixels.
-    const std::atomic<bool> go = false;
-    const auto coarse = resized(scene, 32, 24);
-    Setting setting{.depth = 64, .cutoff = 0};
-    while (setting.depth > 8 && !prepare(coarse, setting)->inspect(1, false, 32 * 24 * std::int64_t(mostRays), go))
-        setting.depth /= 2;
-    setting.scalar = Scalar::longDouble;
+    Setting setting{.scalar = Scalar::longDouble, .depth = 64, .cutoff = 0};
+    for (const double cutoff : {0.0, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5})
+    {
+        setting.cutoff = cutoff;
+        if (affordable(scene, setting, mostRays)) return setting;
+    }
+    while (setting.depth > 1 && !affordable(scene, setting, mostRays)) setting.depth /= 2;
     return setting;
 }
 
@@ -114,13 +124,13 @@ std::optional<SceneStudy> study(const SceneDescription& scene, const Plan& plan,
     const auto report = [&](double share) {
         if (progress) progress(share);
     };
-    result.reference.setting = referenceSetting(measured, plan.quick ? 200 : 1000);
+    result.reference.setting = referenceSetting(measured, plan.quick ? 300 : 1000);
     const auto best = prepare(measured, result.reference.setting);
     const RenderOptions all{.progress = {}, .stop = &stop};
     result.reference.image = best->render(all);
     result.reference.facts = *best->inspect(1, false, std::numeric_limits<std::int64_t>::max(), stop);
     // Beside the aliasing of one sample, rounding and depths beyond 16 are nothing: double will do.
-    Setting many{.depth = std::min(16, result.reference.setting.depth), .cutoff = 1e-4, .spp = plan.manySamples};
+    const Setting many{.depth = std::min(16, result.reference.setting.depth), .spp = plan.manySamples};
     result.many = prepare(measured, many)->render(all);
     if (stop) return std::nullopt;
     report(0.3);
@@ -128,6 +138,9 @@ std::optional<SceneStudy> study(const SceneDescription& scene, const Plan& plan,
     std::vector<std::unique_ptr<Subject>> subjects;
     for (auto& [knob, setting] : knobsAlone(measured, plan.mostSamples))
     {
+        // What is deeper than the reference cannot be judged by it; what has hundreds of rays a pixel nobody wants to wait for.
+        const bool judged = setting.depth <= std::max(8, result.reference.setting.depth);
+        if (!result.rows.empty() && !(judged && affordable(measured, setting, 200))) continue;
         subjects.push_back(prepare(measured, setting));
         result.rows.push_back({.knob = knob, .setting = setting, .cpuSeconds = infinity<double>});
     }

@@ -49,7 +49,7 @@ struct Row
     }
 };
 
-/// The best that we can do: long double, cutoff 0, exact Fresnel, depth 64, or less if trees grow too large.
+/// The best that we can do: long double, cutoff 0, exact Fresnel, depth 64; see referenceSetting for trees that grow too large.
 struct Reference
 {
     Setting setting;
@@ -73,7 +73,11 @@ using Progress = std::function<void(double share)>;
 /// The scenes of this lesson, as files relative to the project.
 std::vector<std::string> studyScenes();
 
-/// The depth of the reference: 64, or the largest power of two whose trees have at most `mostRays` rays a pixel on average.
+/// Do the trees of the setting have at most `mostRays` rays a pixel on average, shadow rays not counted?
+bool affordable(const SceneDescription& scene, const Setting& setting, int mostRays);
+
+/// Long double, cutoff 0, depth 64; where that is not affordable, the smallest cutoff from 1e-9 to 1e-5 that is, and where none
+/// is, the greatest depth.
 Setting referenceSetting(const SceneDescription& scene, int mostRays);
 
 /// Measures one scene. Empty if it was stopped.

@@ -167,7 +167,8 @@ struct Tracer
         const Real f = mat.glossy, NL = dot(N, L);
         if (f == 0 || !(NL > 0)) return positive(NL);
         const vec3 R = 2 * NL * N - L;
-        return (1 - f) * NL + f * std::pow(positive(dot(V, R)), mat.exponent);
+        const Real VR = std::min(Real(1), positive(dot(V, R))); // rounding may lift a cosine above 1
+        return (1 - f) * NL + f * std::pow(VR, mat.exponent);
     }
 
     // Is the way from I along L free until the lamp, and no further?

@@ -172,7 +172,7 @@ TEST_F(RunProcess, StopsAFloodAtTheLimit)
     const auto result = runProcess({"yes"}, {.outputBytes = 1 << 20});
     EXPECT_TRUE(result.tooMuchOutput);
     EXPECT_EQ(result.out.size(), std::size_t(1) << 20);
-    EXPECT_EQ(describeFailure("yes", result), "yes wrote more than 1 MiB");
+    EXPECT_EQ(describeFailure("yes", result), "yes wrote more than 1 MiB to standard output");
 }
 
 TEST_F(RunProcess, AcceptsOutputUpToTheLimit)

@@ -423,7 +423,32 @@ color = [8, 8, 8]
     EXPECT_EQ(formulas[0].numbers, "(0, 1, 0) + 1 (0, -1, 0) = (0, 0, 0)\non plane0, material floor");
     EXPECT_EQ(formulas[1].symbolic, "lightColor * max(0, N.L) / dist²");
     EXPECT_EQ(formulas[1].numbers, "L = (0, 1, 0), dist = 2\n(8, 8, 8) * max(0, 1) * 0.25 = (2, 2, 2)");
+    EXPECT_EQ(formulas[2].symbolic, "material color * DirectIllumination");
+    EXPECT_EQ(formulas[2].numbers, "(0.5, 0.5, 0.5) * (2, 2, 2) = (1, 1, 1)");
     EXPECT_EQ(formulas[3].numbers, "(1, 1, 1) * (1, 1, 1) = (1, 1, 1)");
+}
+
+TEST(Explain, APartlySpecularSurfaceKeepsTheOtherShare)
+{
+    const auto scene = parseScene(R"(
+[materials.floor]
+color = [0.5, 0.5, 0.5]
+mirror = 0.25
+[[plane]]
+point = [0, 0, 0]
+normal = [0, 1, 0]
+material = "floor"
+[[light]]
+position = [0, 2, 0]
+color = [8, 8, 8]
+)",
+                                  "floor.toml");
+    const auto tree = lessons()[2]->inspect(scene, Precision::doubled, GivenRay{{0, 1, 0}, {0, -1, 0}});
+    const auto formulas = explainNode(tree, scene, lectureFormulas(), 0);
+    const auto& color = formulas.at(formulas.size() - 2);
+    EXPECT_EQ(color.symbolic, "(1 - s) * material color * DirectIllumination + 0.25 * material color * Trace([1])");
+    EXPECT_EQ(color.numbers, "(1 - 0.25) * (0.5, 0.5, 0.5) * (2, 2, 2) + 0.25 * (0.5, 0.5, 0.5) * (0, 0, 0) "
+                             "= (0.75, 0.75, 0.75)");
 }
 
 } // namespace

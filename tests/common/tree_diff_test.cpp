@@ -106,6 +106,8 @@ TEST(TreeDiff, FindsFloatLikeDoubleOnAllScenes)
     for (const auto& file : std::filesystem::recursive_directory_iterator(RAYTREE_SOURCE_DIR "/lessons"))
     {
         if (file.path().extension() != ".toml" || file.path().parent_path().filename() != "scenes") continue;
+        // These lie beyond the horizon of float on purpose.
+        if (file.path().string().find("/10_") != std::string::npos) continue;
         const auto scene = loadScene(file.path());
         const auto* lesson = smallestLesson(scene);
         if (!lesson) continue;

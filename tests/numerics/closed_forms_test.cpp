@@ -70,6 +70,24 @@ TYPED_TEST(ClosedForm, APhongHighlight)
     }
 }
 
+TYPED_TEST(ClosedForm, AHighlightIsNeverBrighterThanItsLamp)
+{
+    using Real = TypeParam;
+    using vec3 = Vec3<Real>;
+    Random random(5);
+    Material<Real> gloss;
+    gloss.glossy = 1;
+    gloss.exponent = 1 / eps<Real>; // rounding of V.R, to this power
+    for (int i = 0; i < 10000; ++i)
+    {
+        const vec3 N = unit(vec3(random.in(-1, 1), random.in(-1, 1), random.in(-1, 1)));
+        const vec3 L = unit(vec3(random.in(-1, 1), random.in(-1, 1), random.in(-1, 1)));
+        if (!(dot(N, L) > 0)) continue;
+        const vec3 V = unit(2 * dot(N, L) * N - L);
+        EXPECT_LE((lesson08::Tracer<Real>::phong(L, N, V, gloss)), 1);
+    }
+}
+
 TYPED_TEST(ClosedForm, AHighlightOfExponentTwoToThe20)
 {
     using Real = TypeParam;

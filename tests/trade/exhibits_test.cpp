@@ -86,6 +86,17 @@ TEST(Lesson10, EachExhibitShowsItsFaultAndItsCureRemovesIt)
     }
 }
 
+TEST(Lesson10, AnOffsetIsOnTheSideWhereTheRayGoes)
+{
+    // On the wrong side a transmitted ray would meet at once the surface that it has just passed.
+    const auto scene = small("lessons/10_speed_and_accuracy/scenes/classic.toml");
+    const std::atomic<bool> go = false;
+    const Setting offset{.leaving = LeavingPolicy::normalOffset};
+    const auto facts = prepare(scene, offset)->inspect(1, true, 1 << 20, go);
+    for (const auto& pixel : *facts) EXPECT_EQ(pixel.acne, 0);
+    EXPECT_GT(errorsAgainst(prepare(scene, offset)->render({}), prepare(scene, {})->render({})).psnr, 50);
+}
+
 TEST(Lesson10, PoorFormulasWithPoorLeavingPoliciesAreRefused)
 {
     const auto scene = small("lessons/10_speed_and_accuracy/scenes/classic.toml");

@@ -144,7 +144,7 @@ TEST(Controller, LivesWithAnEmptyTree)
     controller.nextNode();
     controller.parentNode();
     EXPECT_EQ(controller.selected(), 0);
-    EXPECT_EQ(nodeText(controller, 60).size(), 1U);
+    EXPECT_EQ(nodeText(controller, 80).size(), 1U);
     controller.stepBy(-1);
     controller.setPlaying(true);
     EXPECT_FALSE(controller.isPlaying());

@@ -88,6 +88,31 @@ class Viewer(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr.decode())
         self.assertIn("fonts-dejavu-core", json.loads((self.here / "s.json").read_text())["message"])
 
+    def test_the_cheat_sheet_gives_the_view_back(self):
+        self.view(2, "--script", "shot a.png")
+        self.view(2, "--script", "help on; shot help.png; help off; shot b.png")
+        self.assertEqual((self.here / "a.png").read_bytes(), (self.here / "b.png").read_bytes())
+
+    def test_a_tree_of_one_pixel_stays_at_it(self):
+        self.view(6, "--export", "tree.json")
+        state = self.state("tree.json", script="pick 1 1; depth 0")
+        again = self.state(6)
+        self.assertEqual((state["pixel"], state["max_depth"]), (again["pixel"], again["max_depth"]))
+        self.assertIn("tree.json", state["message"])
+
+    def test_a_tree_names_no_other_file_than_a_scene(self):
+        tree = self.tree()
+        for name in ("/proc/kmsg", "/etc/passwd", "../../../../etc/passwd"):
+            tree["scene"] = tree["source"] = name
+            self.write("nosy.json", tree)
+            self.assertIn("is not there", self.state("nosy.json")["message"])
+            self.view("nosy.json", "--export", "nosy.html")
+            self.assertNotIn("root:", (self.here / "nosy.html").read_text())
+
+    def test_scripts_are_held_to_their_ranges(self):
+        for slip in ("hide 5", "depth -5", "step 999", "pick 5000 1"):
+            self.assertIn(f'"{slip}"', self.refused(6, "--script", slip))
+
     def test_all_formats_are_exported_without_a_display(self):
         self.view(6, "--export", "out")
         files = {path.name for path in (self.here / "out").iterdir()}

@@ -41,7 +41,7 @@ function fillStrip() {
   byId("play").setAttribute("aria-label", state.playing ? "Pause" : "Play");
   byId("slider").value = state.step;
   byId("slider").setAttribute("aria-valuetext", event ? `step ${state.step} of ${LAST}: ${event.text}` : "");
-  const status = byId("status"), text = event ? event.text : "Nothing was traced: the exercise has not been attempted.";
+  const status = byId("status"), text = event ? event.text : "Nothing was traced. An exercise that has not been attempted looks like this.";
   // While it plays a screen reader would never be done.
   status.setAttribute("aria-live", state.playing ? "off" : "polite");
   status.replaceChildren(...(event ? [make("b", {}, `Step ${state.step}/${LAST}:`), " "] : []), text);

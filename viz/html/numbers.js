@@ -16,7 +16,7 @@ function fillNumbers() {
   const pane = byId("numbers"), node = nodes.get(state.node);
   pane.scrollTop = 0;
   if (!node) {
-    pane.replaceChildren(make("p", { class: "nothing" }, "Nothing was traced: the exercise has not been attempted."));
+    pane.replaceChildren(make("p", { class: "nothing" }, "Nothing was traced. An exercise that has not been attempted looks like this."));
     return;
   }
   const facts = make("dl", { class: "facts" }), swatch = make("span", { class: "swatch" });

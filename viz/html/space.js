@@ -152,7 +152,7 @@ function drawImagePlane(context, project) {
   const eye = project.point(OBJECTS.camera.eye), frame = corners.map(project.point);
   if (frame.includes(null)) return;
   const at = (x, y) => project.point(between(between(corners[0], corners[1], x), between(corners[3], corners[2], x), y));
-  if (image.complete && image.naturalWidth > 0) {
+  if (image && image.complete && image.naturalWidth > 0) {
     const n = 6, w = image.naturalWidth / n, h = image.naturalHeight / n;
     context.save();
     context.globalAlpha = 0.9;

@@ -324,4 +324,4 @@ onChange(() => {
   if (hadFocus) svg.querySelector(".selected")?.focus({ preventScroll: true });
 });
 if (!order.length)
-  byId("tree-pane").querySelector(".body").append(make("p", { class: "nothing" }, "Nothing was traced: the exercise has not been attempted."));
+  byId("tree-pane").querySelector(".body").append(make("p", { class: "nothing" }, "Nothing was traced. An exercise that has not been attempted looks like this."));
