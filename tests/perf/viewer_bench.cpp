@@ -1,0 +1,104 @@
+// How long the viewer takes from a click to the complete redraw, in a window of 1600x900. Needs a display:
+//     xvfb-run -a build/release/bin/viewer_bench
+#include <algorithm>
+#include <chrono>
+#include <functional>
+#include <iostream>
+
+#include <fmt/format.h>
+
+#include "common/cli.h"
+#include "common/scene_file.h"
+#include "lessons/registry.h"
+#include "viz/window.h"
+
+namespace
+{
+
+using namespace rt;
+using namespace rt::viz;
+
+/// Median and extremes of wall time in ms.
+void report(const std::string& what, std::size_t nodes, int times, const std::function<void(int)>& act)
+{
+    std::vector<double> ms;
+    for (int i = 0; i <= times; ++i)
+    {
+        const auto start = std::chrono::steady_clock::now();
+        act(i);
+        const double taken =
+            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+        if (i > 0) ms.push_back(taken); // the first warms up
+    }
+    std::sort(ms.begin(), ms.end());
+    std::cout << fmt::format("{:<26} {:>6} nodes   median {:7.1f} ms   {:7.1f} to {:7.1f}\n", what, nodes,
+                             ms[ms.size() / 2], ms.front(), ms.back());
+}
+
+Session sessionOf(int lesson, int depth)
+{
+    Session session;
+    session.scene = loadScene(projectFile(findLesson(lesson)->scene));
+    session.scene.trace.maxDepth = depth;
+    session.source = lessonSource(*findLesson(lesson), Precision::doubled);
+    session.probe = session.scene.pixel();
+    return session;
+}
+
+/// As many rays, two from each.
+RayTree largeTree(int count)
+{
+    RayTree tree;
+    for (int id = 0; id < count; ++id)
+    {
+        RayTree::Node node;
+        node.id = id;
+        node.parent = (id + 1) / 2 - 1;
+        node.kind = id == 0 ? RayKind::camera : id % 2 ? RayKind::reflected : RayKind::transmitted;
+        node.depth = id == 0 ? 0 : tree.nodes[std::size_t(node.parent)].depth + 1;
+        node.direction = {0, 0, -1};
+        node.hit.emplace();
+        node.hit->t = 1;
+        node.hit->point = {0.01 * id, 0, -1.0 - node.depth};
+        node.hit->normal = {0, 0, 1};
+        node.hit->primitive = "sphere0";
+        node.throughput = Vec3<double>(std::pow(0.7, node.depth));
+        tree.nodes.push_back(node);
+    }
+    return tree;
+}
+
+void measure(Session session, const std::string& title)
+{
+    Controller controller(std::move(session));
+    Window window(controller, 1600, 900, true);
+    window.picture();
+    std::cout << title << '\n';
+    const auto pixel = controller.pixel().value_or(std::array{0, 0});
+    const auto nodes = controller.tree().nodes.size();
+    if (!controller.source().isFixed)
+    {
+        // Two neighbours, whose trees are much the same.
+        report("click on a pixel", nodes, 20, [&](int i) { controller.choosePixel(pixel[0] + i % 2, pixel[1]); });
+        controller.choosePixel(pixel[0], pixel[1]);
+    }
+    report("choose a ray", nodes, 20, [&](int i) { controller.selectNode(i % int(nodes)); });
+    controller.stepTo(0);
+    report("one step", nodes, 20, [&](int i) { controller.stepTo(1 + i % controller.lastStep()); });
+    controller.stepTo(controller.lastStep());
+    report("point at a ray in the tree", nodes, 20, [&](int i) { controller.hover(i % int(nodes)); });
+    if (nodes > 1000) report("go to a ray by its number", nodes, 20, [&](int i) { controller.selectNode(37 * i); });
+}
+
+} // namespace
+
+int main()
+{
+    measure(sessionOf(2, 8), "lesson 02, pure specular");
+    measure(sessionOf(6, 8), "lesson 06, glass");
+    measure(sessionOf(6, 40), "lesson 06, glass, MAXDEPTH 40");
+    measure(sessionOf(7, 14), "lesson 07, mirror box, MAXDEPTH 14");
+    Session large = sessionOf(6, 8);
+    large.source = fileSource(largeTree(10000), "large.json");
+    measure(std::move(large), "a tree from a file");
+}
