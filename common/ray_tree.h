@@ -94,8 +94,8 @@ struct RayTree
     };
 
     int version = 1;
-    int lesson = 0;    ///< 0: not one of the lessons
-    std::string scene; ///< file of the scene
+    int lesson = 0;     ///< 0: not one of the lessons
+    std::string scene;  ///< file of the scene
     std::string source; ///< file whose lines the nodes name, relative to the project; empty: unknown
     std::string real = "double";
     std::optional<std::array<int, 2>> pixel; ///< x right, y down; empty when a ray was given

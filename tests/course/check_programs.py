@@ -195,7 +195,14 @@ class Programs(unittest.TestCase):
     def test_interruption_writes_nothing(self):
         import signal, time
         process = subprocess.Popen([str(BIN / "lesson02"), "--size", "2000x2000", "--spp", "1000", "--out", "p.png"], cwd=self.here, stderr=subprocess.PIPE)
-        time.sleep(1)
+        # On a busy machine loading takes seconds: not before the program watches for the signal.
+        status = pathlib.Path(f"/proc/{process.pid}/status")
+        for _ in range(600):
+            caught = next(line.split()[1] for line in status.read_text().splitlines() if line.startswith("SigCgt"))
+            if int(caught, 16) >> (signal.SIGINT - 1) & 1:
+                break
+            time.sleep(0.1)
+        time.sleep(0.5)
         process.send_signal(signal.SIGINT)
         _, err = process.communicate(timeout=60)
         self.assertEqual(process.returncode, 130)

@@ -36,7 +36,7 @@ def check_arrows():
     only = {"vtk": ["viz"], "OpenImageIO/": ["common/image.", "common/sky_image."], "tbb/": ["common/render.h"],
             "toml++/": ["common/scene_file.cpp", "common/scene_reader.h", "common/scene_writer.cpp"],
             "nlohmann/": ["common/ray_tree_json.cpp", "viz"], "CLI/": ["common/cli.", "viz"],
-            "lessons/": ["lessons", "viz", "tests"], "viz/": ["viz", "tests/viz"], "tests/": ["tests"]}
+            "lessons/": ["lessons", "viz", "tests"], "viz/": ["viz", "tests/viz", "tests/perf"], "tests/": ["tests"]}
     for folder in ("common", "lessons", "viz", "tests"):
         for path in sources(folder):
             for include in includes(path):

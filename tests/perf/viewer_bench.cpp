@@ -26,7 +26,8 @@ void report(const std::string& what, std::size_t nodes, int times, const std::fu
     {
         const auto start = std::chrono::steady_clock::now();
         act(i);
-        const double taken = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+        const double taken =
+            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
         if (i > 0) ms.push_back(taken); // the first warms up
     }
     std::sort(ms.begin(), ms.end());
@@ -56,7 +57,11 @@ RayTree largeTree(int count)
         node.kind = id == 0 ? RayKind::camera : id % 2 ? RayKind::reflected : RayKind::transmitted;
         node.depth = id == 0 ? 0 : tree.nodes[std::size_t(node.parent)].depth + 1;
         node.direction = {0, 0, -1};
-        node.hit = RayTree::Hit{.t = 1, .point = {0.01 * id, 0, -1.0 - node.depth}, .normal = {0, 0, 1}, .primitive = "sphere0"};
+        node.hit.emplace();
+        node.hit->t = 1;
+        node.hit->point = {0.01 * id, 0, -1.0 - node.depth};
+        node.hit->normal = {0, 0, 1};
+        node.hit->primitive = "sphere0";
         node.throughput = Vec3<double>(std::pow(0.7, node.depth));
         tree.nodes.push_back(node);
     }
@@ -79,8 +84,9 @@ void measure(Session session, const std::string& title)
     }
     report("choose a ray", nodes, 20, [&](int i) { controller.selectNode(i % int(nodes)); });
     controller.stepTo(0);
-    report("one step", nodes, 20, [&](int) { controller.stepBy(1); });
-    report("point at the tree", nodes, 20, [&](int i) { window.hover(1200 + 3 * i, 500 + 5 * i); });
+    report("one step", nodes, 20, [&](int i) { controller.stepTo(1 + i % controller.lastStep()); });
+    controller.stepTo(controller.lastStep());
+    report("point at a ray in the tree", nodes, 20, [&](int i) { controller.hover(i % int(nodes)); });
     if (nodes > 1000) report("go to a ray by its number", nodes, 20, [&](int i) { controller.selectNode(37 * i); });
 }
 

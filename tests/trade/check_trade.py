@@ -79,7 +79,14 @@ class Trade(unittest.TestCase):
     def test_interruption_writes_nothing(self):
         for command in (["--out", "d"], ["--budget", "100s", "--size", "1600x1200", "--against", "many"]):
             process = subprocess.Popen([str(BIN / "trade"), *command], cwd=self.here, stderr=subprocess.PIPE, stdout=subprocess.PIPE)
-            time.sleep(2)
+            # On a busy machine loading takes seconds: not before the program watches for the signal.
+            status = pathlib.Path(f"/proc/{process.pid}/status")
+            for _ in range(600):
+                caught = next(line.split()[1] for line in status.read_text().splitlines() if line.startswith("SigCgt"))
+                if int(caught, 16) >> (signal.SIGINT - 1) & 1:
+                    break
+                time.sleep(0.1)
+            time.sleep(0.5)
             process.send_signal(signal.SIGINT)
             out, err = process.communicate(timeout=60)
             self.assertEqual((process.returncode, out), (130, b""), err)
