@@ -1,9 +1,12 @@
-// A hierarchy of boxes, four children a node (Wald, Benthin, Boulos: "Getting Rid of Packets", RT 2008). It only tells which
+// A hierarchy of boxes, eight children a node (Wald, Benthin, Boulos: "Getting Rid of Packets", RT 2008). It only tells which
 // leaves a ray may meet; what is hit, and where, the shapes' formulas say. So the answer is that of a scan over all shapes.
 //
-// Boxes are padded for the ray's and the formulas' rounding (Ize, "Robust BVH Ray Traversal", JCGT 2013, does it for the
-// former only): a shape whose computed distance is t lies in boxes that the ray is found to enter at t or before.
+// Boxes are floats, whatever the tracer computes in: coordinates from -1 to 1 about the middle of the shapes. They are padded
+// for all rounding, the formulas' too: a shape whose computed distance is t lies in boxes that the ray is found to enter at t
+// or before. (Ize, "Robust BVH Ray Traversal", JCGT 2013, does it for the boxes' own rounding.)
 #pragma once
+
+#include <bit>
 
 #include "common/bvh_build.h"
 #include "common/lanes.h"
@@ -11,19 +14,43 @@
 namespace rt
 {
 
+/// How far from 1 the square of a direction's length may be, so that boxes may be asked.
 template <std::floating_point Real>
+inline constexpr Real unitError = 16 * std::numeric_limits<Real>::epsilon();
+
+template <std::floating_point Real>
+bool isUnit(const Vec3<Real>& D)
+{
+    return std::abs(dot(D, D) - 1) <= unitError<Real>;
+}
+
+template <std::floating_point Number>
 class Bvh
 {
 public:
-    static constexpr int width = bvhWidth;
-
     Bvh() = default; ///< empty: nothing is ever visited
 
-    /// Over the shapes whose boxes are `boxes`. `padding` is the largest error of a hit point, as a share of |O| + `extent`:
-    /// the sums of the absolute coordinates of the ray's origin, and the largest such number of a shape.
-    Bvh(const std::vector<Box<Real>>& boxes, Real padding, Real extent) : paddingShare(padding), shapesExtent(extent)
+    /// Over the shapes whose boxes are `boxes`; stays empty if these are so large or so small that they have no middle or no
+    /// scale. `formulas` is the largest error of a hit point, as a share of the sum of the absolute coordinates of the ray's
+    /// origin and of any point of the boxes.
+    Bvh(const std::vector<Box<Number>>& boxes, Number formulas) : formulasShare(formulas)
     {
-        BvhBuilder<Real>{boxes, nodes, leaves}.build();
+        Box<Number> all;
+        for (const auto& box : boxes) all.add(box);
+        const Vec3<Number> size = Number(0.5) * all.high - Number(0.5) * all.low;
+        const Number half = std::max({size.x, size.y, size.z});
+        middle = all.middle();
+        if (!isFinite(middle) || !(half > std::numeric_limits<Number>::min() * 4) || !(half < infinity<Number> / 8)) return;
+        scale = std::ldexp(Number(1), -std::ilogb(half) - 1);
+
+        const Vec3<Number> distance = abs(middle);
+        const Number sum = (distance.x + distance.y + distance.z) * scale;
+        const Number pad = boxesShare * 4 * nearby + formulas * (2 * sum + nearby + 3);
+        std::vector<Box<float>> placed(boxes.size());
+        for (std::size_t i = 0; i < boxes.size(); ++i)
+            placed[i] = {Vec3<float>((boxes[i].low - middle) * scale - pad),
+                         Vec3<float>((boxes[i].high - middle) * scale + pad)};
+        BvhBuilder{placed, nodes, leaves}.build();
     }
 
     bool empty() const { return nodes.empty(); }
@@ -31,100 +58,141 @@ public:
     /// Leaf number -> indices into `boxes`; -1 fills up.
     const std::vector<BvhLeaf>& leafShapes() const { return leaves; }
 
-    std::size_t bytes() const { return nodes.capacity() * sizeof(BvhNode<Real>) + leaves.capacity() * sizeof(BvhLeaf); }
+    std::size_t bytes() const { return nodes.capacity() * sizeof(BvhNode) + leaves.capacity() * sizeof(BvhLeaf); }
 
     /// The shapes' numbers are in the leaves, for callers that keep their own copy in that order.
     void forgetLeaves() { leaves = {}; }
 
     /// Calls visit(leaf) for each leaf that the ray may meet in (0, limit], nearest boxes first, until visit returns true.
-    /// visit may lower `limit`.
-    template <class Visit>
-    bool visitLeaves(const Vec3<Real>& O, const Vec3<Real>& D, const Real& limit, Visit&& visit) const
+    /// visit may lower `limit`. isUnit(D).
+    template <Instructions set, class Real, class Visit>
+    bool visitLeaves(const Vec3<Number>& O, const Vec3<Number>& D, const Real& limit, Visit&& visit) const
     {
         if (nodes.empty()) return false;
-        const Slabs ray(O, D, paddingShare * (std::abs(O.x) + std::abs(O.y) + std::abs(O.z) + shapesExtent));
-        struct Entry
+        const Slabs<set> ray = place<set>(O, D);
+        float end = ray.along(limit);
+        std::uint64_t stack[bvhStackSize], entry = 0;
+        for (int top = 0;;)
         {
-            Real t;               ///< where the ray enters
-            std::ptrdiff_t child; ///< no narrower than what copies an entry, or each copy waits for the memory
-        };
-        Entry stack[bvhStackSize];
-        stack[0] = {0, 0};
-        for (int top = 1; top > 0;)
-        {
-            const Entry entry = stack[--top];
-            if (!(entry.t <= limit)) continue;
-            if (entry.child < 0)
+            const auto child = std::int32_t(std::uint32_t(entry));
+            if (child < 0)
             {
-                if (visit(std::size_t(~entry.child))) return true;
-                continue;
+                if (visit(std::size_t(~child))) return true;
+                end = ray.along(limit);
             }
-            const BvhNode<Real>& node = nodes[std::size_t(entry.child)];
-            Real enters[width], exits[width];
-            ray.meet(node, limit, enters, exits);
-            const int bottom = top;
-            for (int k = 0; k < node.count; ++k)
+            else
             {
-                if (!(enters[k] <= exits[k])) continue;
-                int place = top++;
-                for (; place > bottom && stack[place - 1].t < enters[k]; --place) stack[place] = stack[place - 1];
-                stack[place] = {enters[k], node.child[k]};
+                const BvhNode& node = nodes[std::size_t(child)];
+                float enters[bvhWidth];
+                if (unsigned met = ray.meet(node, end, enters))
+                {
+                    const auto next = [&] {
+                        const int k = std::countr_zero(met);
+                        met &= met - 1;
+                        return entryOf(enters[k], node.child[k]);
+                    };
+                    entry = next();
+                    for (const int bottom = top; met;)
+                    {
+                        std::uint64_t other = next();
+                        if (other < entry) std::swap(other, entry);
+                        int place = top++;
+                        for (; place > bottom && stack[place - 1] < other; --place) stack[place] = stack[place - 1];
+                        stack[place] = other;
+                    }
+                    continue;
+                }
             }
+            do
+            {
+                if (top == 0) return false;
+                entry = stack[--top];
+            } while (!(std::bit_cast<float>(std::uint32_t(entry >> 32)) <= end));
         }
-        return false;
     }
 
 private:
-    /// The ray, prepared for boxes: where it passes the planes of a padded box, x = (plane - O -+ pad) / D.
+    /// Where the ray enters, at 0 or later, and what: one number that is the smaller the nearer.
+    static std::uint64_t entryOf(float t, std::int32_t child)
+    {
+        return std::uint64_t(std::bit_cast<std::uint32_t>(t)) << 32 | std::uint32_t(child);
+    }
+
+    static constexpr float boxesShare = 0x1p-22F; ///< error of where a ray meets a box, as a share of |O|: 2.8 times too much
+    static constexpr int nearby = 8;              ///< origins so near are covered by the padding of the boxes
+
+    /// The ray among the boxes: where it passes the planes of one, t = (O - plane) * -1/D.
+    template <Instructions set>
     struct Slabs
     {
-        struct Axis
-        {
-            Lanes<Real> inverse, enterO, leaveO; ///< the same number in each lane
-            std::ptrdiff_t enter, leave;         ///< the lower or the upper planes, counted from a node's first
-        } axes[3];
+        using Lanes = rt::Lanes<float, set>;
 
-        Slabs(const Vec3<Real>& O, const Vec3<Real>& D, Real pad)
-        {
-            for (int axis = 0; axis < 3; ++axis)
-            {
-                // 1 / 0 would make 0 * infinity of a plane through O. This is as steep, and finite.
-                constexpr Real least = std::numeric_limits<Real>::min();
-                const Real inverse = 1 / (std::abs(D[axis]) < least ? std::copysign(least, D[axis]) : D[axis]);
-                axes[axis] = {Lanes<Real>{} + inverse, Lanes<Real>{} + (O[axis] + std::copysign(pad, inverse)),
-                              Lanes<Real>{} + (O[axis] - std::copysign(pad, inverse)),
-                              (inverse < 0 ? 3 + axis : axis) * width, (inverse < 0 ? axis : 3 + axis) * width};
-            }
-        }
+        float enterO[3], leaveO[3], minusInverse[3];
+        std::ptrdiff_t enter[3], leave[3]; ///< the lower or the upper planes, counted from a node's first
+        Number start, scale;               ///< t = 0 here, in the scene's coordinates
+
+        /// The scene's t, here; too large by some rounding.
+        float along(Number t) const { return float((t - start) * scale) * (1 + 0x1p-20F) + 0x1p-20F; }
 
         // Each step is monotonic: a box around another is never entered later, nor left earlier, to the last bit.
-        [[gnu::always_inline]] static void cut(const Axis& axis, const Real* planes, Lanes<Real>& first,
-                                               Lanes<Real>& last)
+        [[gnu::always_inline]] unsigned meet(const BvhNode& node, float end, float (&enters)[bvhWidth]) const
         {
-            const auto t = (load(planes + axis.enter) - axis.enterO) * axis.inverse;
-            const auto u = (load(planes + axis.leave) - axis.leaveO) * axis.inverse;
-            first = t > first ? t : first;
-            last = u < last ? u : last;
-        }
-
-        [[gnu::always_inline]] void meet(const BvhNode<Real>& node, Real limit, Real (&enters)[width],
-                                         Real (&exits)[width]) const
-        {
-            for (int k = 0; k < width; k += laneCount<Real>)
+            unsigned met = 0;
+            for (int k = 0; k < bvhWidth; k += laneCount<float, set>)
             {
-                Lanes<Real> first{}, last = Lanes<Real>{} + limit;
-                cut(axes[0], node.planes + k, first, last);
-                cut(axes[1], node.planes + k, first, last);
-                cut(axes[2], node.planes + k, first, last);
-                store(first, enters + k);
-                store(last, exits + k);
+                Lanes first{}, last = Lanes{} + end;
+                for (int axis = 0; axis < 3; ++axis)
+                {
+                    Lanes near, far;
+                    std::memcpy(&near, node.planes + enter[axis] + k, sizeof near);
+                    std::memcpy(&far, node.planes + leave[axis] + k, sizeof far);
+                    const Lanes t = (enterO[axis] - near) * minusInverse[axis];
+                    const Lanes u = (leaveO[axis] - far) * minusInverse[axis];
+                    first = t > first ? t : first;
+                    last = u < last ? u : last;
+                }
+                std::memcpy(enters + k, &first, sizeof first);
+                met |= bitsOf(first <= last) << k;
             }
+            return met;
         }
     };
 
-    std::vector<BvhNode<Real>> nodes;
+    template <Instructions set>
+    Slabs<set> place(const Vec3<Number>& O, const Vec3<Number>& D) const
+    {
+        Slabs<set> ray;
+        ray.start = 0;
+        ray.scale = scale;
+        Vec3<Number> o = (O - middle) * scale;
+        float pad = 0;
+        if (const Number far = std::abs(o.x) + std::abs(o.y) + std::abs(o.z); !(far <= nearby))
+        {
+            // From afar floats would be too coarse: come nearer first.
+            const Number ahead = std::max(Number(0), -dot(o, D) - 4);
+            o += ahead * D;
+            ray.start = ahead / scale;
+            pad = float(boxesShare * 4 * (std::abs(o.x) + std::abs(o.y) + std::abs(o.z)) + 4 * formulasShare * far);
+        }
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            // 1 / 0 would make 0 * infinity of a plane through O. This is as steep, and finite.
+            constexpr float least = 0x1p-60F;
+            const float d = float(D[axis]), inverse = 1 / (std::abs(d) < least ? std::copysign(least, d) : d);
+            const bool down = inverse < 0;
+            ray.minusInverse[axis] = -inverse;
+            ray.enterO[axis] = float(o[axis]) + std::copysign(pad, inverse);
+            ray.leaveO[axis] = float(o[axis]) - std::copysign(pad, inverse);
+            ray.enter[axis] = (down ? 3 + axis : axis) * bvhWidth;
+            ray.leave[axis] = (down ? axis : 3 + axis) * bvhWidth;
+        }
+        return ray;
+    }
+
+    std::vector<BvhNode> nodes;
     std::vector<BvhLeaf> leaves;
-    Real paddingShare = 0, shapesExtent = 0;
+    Vec3<Number> middle{0, 0, 0};
+    Number scale = 1, formulasShare = 0;
 };
 
 } // namespace rt

@@ -1,5 +1,5 @@
 // Builds the hierarchy of bvh.h: splits by the surface area heuristic in bins (Wald, "On fast Construction of SAH-based
-// Bounding Volume Hierarchies", RT 2007), always the largest part of a node next until it has four.
+// Bounding Volume Hierarchies", RT 2007), always the largest part of a node next until it has eight.
 #pragma once
 
 #include <array>
@@ -11,7 +11,8 @@
 namespace rt
 {
 
-inline constexpr int bvhWidth = 4;
+inline constexpr int bvhWidth = 8;    ///< children of a node
+inline constexpr int bvhLeafSize = 4; ///< shapes of a leaf, at most
 
 template <std::floating_point Real>
 struct Box
@@ -40,36 +41,33 @@ struct Box
 };
 
 /// Up to four shapes; -1 fills up.
-using BvhLeaf = std::array<std::int32_t, bvhWidth>;
+using BvhLeaf = std::array<std::int32_t, bvhLeafSize>;
 
-template <std::floating_point Real>
 struct BvhNode
 {
-    Real planes[2 * 3 * bvhWidth]; ///< the lower ones of the x, y and z axis, then the upper ones
-    std::int32_t child[bvhWidth];  ///< a node, or ~leaf
-    std::int32_t count;            ///< of children
+    float planes[2 * 3 * bvhWidth]; ///< the lower ones of the x, y and z axis, then the upper ones; no ray meets a missing child
+    std::int32_t child[bvhWidth];   ///< a node, or ~leaf
 };
 
 inline constexpr int bvhDeepest = 40;                          ///< binary splits by area; those below are in the middle
-inline constexpr int bvhStackSize = 3 * (bvhDeepest + 32) + 4; ///< a node leaves three siblings behind
+inline constexpr int bvhStackSize = 7 * (bvhDeepest + 32) + 8; ///< a node leaves seven siblings behind
 
-template <std::floating_point Real>
 struct BvhBuilder
 {
-    const std::vector<Box<Real>>& boxes;
-    std::vector<BvhNode<Real>>& nodes;
+    const std::vector<Box<float>>& boxes;
+    std::vector<BvhNode>& nodes;
     std::vector<BvhLeaf>& leaves;
 
     struct Item
     {
-        Box<Real> box;
+        Box<float> box;
         std::int32_t id;
     };
     /// A run of items. Leaves are a run of up to four.
     struct Part
     {
         std::size_t first, last;
-        Box<Real> box;
+        Box<float> box;
         int depth;
 
         std::size_t size() const { return last - first; }
@@ -85,7 +83,7 @@ struct BvhBuilder
             items.push_back({box, std::int32_t(items.size())});
             all.box.add(box);
         }
-        nodes.reserve(boxes.size() / 6);
+        nodes.reserve(boxes.size() / 12);
         leaves.reserve(boxes.size() * 2 / 5);
         if (!items.empty()) addNode(all);
         nodes.shrink_to_fit();
@@ -100,7 +98,7 @@ struct BvhBuilder
         {
             int largest = -1;
             for (int k = 0; k < count; ++k)
-                if (parts[k].size() > bvhWidth &&
+                if (parts[k].size() > bvhLeafSize &&
                     (largest < 0 || parts[k].box.halfArea() > parts[largest].box.halfArea()))
                     largest = k;
             if (largest < 0) break;
@@ -111,16 +109,15 @@ struct BvhBuilder
         }
         const std::size_t index = nodes.size();
         nodes.emplace_back();
-        nodes[index].count = count;
         for (int k = 0; k < bvhWidth; ++k)
         {
             for (int axis = 0; axis < 3; ++axis)
             {
-                nodes[index].planes[axis * bvhWidth + k] = k < count ? parts[k].box.low[axis] : infinity<Real>;
-                nodes[index].planes[(3 + axis) * bvhWidth + k] = k < count ? parts[k].box.high[axis] : -infinity<Real>;
+                nodes[index].planes[axis * bvhWidth + k] = k < count ? parts[k].box.low[axis] : infinity<float>;
+                nodes[index].planes[(3 + axis) * bvhWidth + k] = k < count ? parts[k].box.high[axis] : -infinity<float>;
             }
             const std::int32_t child = k >= count                   ? 0
-                                       : parts[k].size() > bvhWidth ? addNode(parts[k])
+                                       : parts[k].size() > bvhLeafSize ? addNode(parts[k])
                                                                     : addLeaf(parts[k]);
             nodes[index].child[k] = child; // only now: addNode moves the nodes
         }
@@ -149,15 +146,15 @@ struct BvhBuilder
         constexpr int bins = 16;
         struct Bin
         {
-            Box<Real> box;
+            Box<float> box;
             std::size_t count = 0;
         };
-        Box<Real> middles;
+        Box<float> middles;
         for (std::size_t i = whole.first; i < whole.last; ++i) middles.add(items[i].box.middle());
-        const Vec3<Real> size = middles.high - middles.low;
-        const Vec3<Real> scale = Real(bins) / size;
+        const Vec3<float> size = middles.high - middles.low;
+        const Vec3<float> scale = float(bins) / size;
         const auto binOf = [&](const Item& item, int axis) {
-            const Real place = (item.box.middle()[axis] - middles.low[axis]) * scale[axis];
+            const float place = (item.box.middle()[axis] - middles.low[axis]) * scale[axis];
             return place < bins - 1 ? int(place) : bins - 1; // also where nothing differs and place is NaN
         };
         Bin bin[3][bins];
@@ -170,18 +167,18 @@ struct BvhBuilder
             }
 
         // Four shapes are tested at a time: a part costs its area times the leaves that it needs at least.
-        const auto cost = [](const Bin& b) { return b.box.halfArea() * Real((b.count + bvhWidth - 1) / bvhWidth); };
-        Real best = infinity<Real>;
+        const auto cost = [](const Bin& b) { return b.box.halfArea() * float((b.count + bvhLeafSize - 1) / bvhLeafSize); };
+        float best = infinity<float>;
         int bestAxis = -1, bestBin = 0;
         for (int axis = 0; axis < 3 && whole.depth < bvhDeepest; ++axis)
         {
-            Real above[bins];
+            float above[bins];
             Bin sum;
             for (int k = bins - 1; k > 0; --k)
             {
                 sum.box.add(bin[axis][k].box);
                 sum.count += bin[axis][k].count;
-                above[k] = sum.count == 0 ? infinity<Real> : cost(sum);
+                above[k] = sum.count == 0 ? infinity<float> : cost(sum);
             }
             sum = {};
             for (int k = 0; k + 1 < bins; ++k)
@@ -189,7 +186,7 @@ struct BvhBuilder
                 sum.box.add(bin[axis][k].box);
                 sum.count += bin[axis][k].count;
                 if (sum.count == 0 || sum.count == whole.size()) continue;
-                const Real total = cost(sum) + above[k + 1];
+                const float total = cost(sum) + above[k + 1];
                 if (total < best) best = total, bestAxis = axis, bestBin = k;
             }
         }
@@ -202,7 +199,7 @@ struct BvhBuilder
             return std::size_t(middle - items.begin());
         }
         const int axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
-        const auto middle = begin + std::ptrdiff_t((whole.size() / 2 + bvhWidth - 1) / bvhWidth * bvhWidth);
+        const auto middle = begin + std::ptrdiff_t((whole.size() / 2 + bvhLeafSize - 1) / bvhLeafSize * bvhLeafSize);
         std::nth_element(begin, middle, end,
                          [axis](const Item& a, const Item& b) { return a.box.middle()[axis] < b.box.middle()[axis]; });
         return std::size_t(middle - items.begin());

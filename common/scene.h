@@ -29,6 +29,7 @@ public:
     std::vector<Plane<Real>> planes;
     std::vector<Triangle<Real>> triangles; ///< those of the file, then those of its meshes
     std::vector<Light<Real>> lights;
+    Instructions instructions = bestInstructions(); ///< of intersect and occluded; pictures are the same for all
     Real brightest = 0; ///< no ray returns more, if there is a cutoff that asks for it; else 0
 
     /// Converts each number once and normalises directions. Throws std::range_error if a number does not fit Real.
@@ -58,7 +59,24 @@ public:
     std::string primitiveName(PrimitiveId id) const;
 
 private:
-    template <class Found, class Formulas>
+    template <Instructions set, class Formulas>
+    std::optional<Hit<Real>> intersectWith(const Ray<Real>& ray, const Formulas& shapes) const;
+
+    template <Instructions set, class Formulas>
+    bool occludedWith(const Point<Real>& I, const Vec3<Real>& L, Real distance, const Formulas& shapes) const;
+
+#if RAYTREE_X86
+    RAYTREE_AVX2 std::optional<Hit<Real>> intersectAvx2(const Ray<Real>& ray) const
+    {
+        return intersectWith<Instructions::avx2>(ray, Shapes<Real>{});
+    }
+    RAYTREE_AVX2 bool occludedAvx2(const Point<Real>& I, const Vec3<Real>& L, Real distance) const
+    {
+        return occludedWith<Instructions::avx2>(I, L, distance, Shapes<Real>{});
+    }
+#endif
+
+    template <Instructions set, class Found, class Formulas>
     void visitHits(const Ray<Real>& ray, const Formulas& shapes, const Real& limit, Found&& found) const;
 
     template <class Found, class Formulas>
@@ -172,7 +190,7 @@ Scene<Real>::Scene(const SceneDescription& description)
 /// Calls found(id, t) for the primitives that the ray meets at t <= limit, in any order, until it returns true. It may lower
 /// `limit`; some that are farther may be called for all the same.
 template <std::floating_point Real>
-template <class Found, class Formulas>
+template <Instructions set, class Found, class Formulas>
 void Scene<Real>::visitHits(const Ray<Real>& ray, const Formulas& shapes, const Real& limit, Found&& found) const
 {
     if (ray.from >= 0 && ray.from < firstPlane())
@@ -180,7 +198,7 @@ void Scene<Real>::visitHits(const Ray<Real>& ray, const Formulas& shapes, const 
             if (found(ray.from, *t)) return;
     if constexpr (std::is_same_v<Formulas, Shapes<Real>>)
     {
-        if (visitPlanes(ray, shapes, found) || sphereSearch.visit(ray, limit, found)) return;
+        if (visitPlanes(ray, shapes, found) || sphereSearch.template visit<set>(ray, limit, found)) return;
     }
     else // Other formulas have their own roundings, which no box is padded for.
     {
@@ -192,7 +210,7 @@ void Scene<Real>::visitHits(const Ray<Real>& ray, const Formulas& shapes, const 
     }
     if (triangles.empty()) return;
     const bool leavesTriangle = ray.from >= firstTriangle();
-    triangleSearch.visit(triangles, ray, limit, [&](PrimitiveId index, Real t) {
+    triangleSearch.template visit<set>(triangles, ray, limit, [&](PrimitiveId index, Real t) {
         if (firstTriangle() + index == ray.from) return false;
         if (leavesTriangle && startsOn(ray, triangles[std::size_t(index)])) return false;
         return bool(found(firstTriangle() + index, t));
@@ -218,9 +236,31 @@ template <std::floating_point Real>
 template <class Formulas>
 std::optional<Hit<Real>> Scene<Real>::intersect(const Ray<Real>& ray, const Formulas& shapes) const
 {
+#if RAYTREE_X86
+    if constexpr (hasLanes<Real> && std::is_same_v<Formulas, Shapes<Real>>)
+        if (instructions == Instructions::avx2) return intersectAvx2(ray);
+#endif
+    return intersectWith<Instructions::baseline>(ray, shapes);
+}
+
+template <std::floating_point Real>
+template <class Formulas>
+bool Scene<Real>::occluded(const Point<Real>& I, const Vec3<Real>& L, Real distance, const Formulas& shapes) const
+{
+#if RAYTREE_X86
+    if constexpr (hasLanes<Real> && std::is_same_v<Formulas, Shapes<Real>>)
+        if (instructions == Instructions::avx2) return occludedAvx2(I, L, distance);
+#endif
+    return occludedWith<Instructions::baseline>(I, L, distance, shapes);
+}
+
+template <std::floating_point Real>
+template <Instructions set, class Formulas>
+std::optional<Hit<Real>> Scene<Real>::intersectWith(const Ray<Real>& ray, const Formulas& shapes) const
+{
     Real nearest = infinity<Real>;
     PrimitiveId id = noPrimitive;
-    visitHits(ray, shapes, nearest, [&](PrimitiveId candidate, Real t) {
+    visitHits<set>(ray, shapes, nearest, [&](PrimitiveId candidate, Real t) {
         if (t < nearest || (t == nearest && candidate < id))
         {
             nearest = t;
@@ -233,13 +273,13 @@ std::optional<Hit<Real>> Scene<Real>::intersect(const Ray<Real>& ray, const Form
 }
 
 template <std::floating_point Real>
-template <class Formulas>
-bool Scene<Real>::occluded(const Point<Real>& I, const Vec3<Real>& L, Real distance, const Formulas& shapes) const
+template <Instructions set, class Formulas>
+bool Scene<Real>::occludedWith(const Point<Real>& I, const Vec3<Real>& L, Real distance, const Formulas& shapes) const
 {
     if (distance * distance > 0 && distance * distance < nearestLamp) return true;
     const bool throughGlass = settings.shadowThroughGlass == ShadowThroughGlass::tint;
     bool blocked = false;
-    visitHits(Ray<Real>{.O = I, .D = L, .from = I.on}, shapes, distance, [&](PrimitiveId id, Real t) {
+    visitHits<set>(Ray<Real>{.O = I, .D = L, .from = I.on}, shapes, distance, [&](PrimitiveId id, Real t) {
         return blocked = t < distance && !(throughGlass && materialOf(id).isDielectric());
     });
     return blocked;

@@ -1,5 +1,5 @@
 // Which spheres a ray meets, four at a time: the formula of shapes.h, step by step the same, so with the same bits. A lane is
-// one sphere, and the compiler makes vectors of the lanes where it has them.
+// one sphere.
 #pragma once
 
 #include "common/bvh.h"
@@ -20,20 +20,18 @@ public:
         std::vector<BvhLeaf> groups;
         if (spheres.size() > most && areOrdinary(spheres))
         {
-            Real extent = 0;
-            std::vector<Box<Real>> boxes(spheres.size());
+            std::vector<Box<Number>> boxes(spheres.size());
             for (std::size_t i = 0; i < spheres.size(); ++i)
             {
-                const auto& [C, r, material] = spheres[i];
-                boxes[i] = {C - r, C + r};
-                extent = std::max(extent, std::abs(C.x) + std::abs(C.y) + std::abs(C.z) + r);
+                const Vec3<Number> C(spheres[i].C);
+                boxes[i] = {C - Number(spheres[i].r), C + Number(spheres[i].r)};
             }
-            // Directions have unit length up to directionError, and hit points err by as much, and by the formula's own.
-            tree = Bvh<Real>(boxes, 4 * directionError, extent);
+            // Directions have unit length up to unitError<Real>, and hit points err by as much, and by the formula's own.
+            tree = Bvh<Number>(boxes, 4 * unitError<Real>);
             groups = tree.leafShapes();
             tree.forgetLeaves();
         }
-        else
+        if (tree.empty())
             for (std::size_t i = 0; i < spheres.size(); ++i)
             {
                 if (i % lanes == 0) groups.emplace_back().fill(-1);
@@ -52,19 +50,19 @@ public:
 
     /// Calls found(id, t) for each sphere but ray.from that the ray meets at t <= limit, until it returns true. It may lower
     /// `limit`; spheres that are farther may be called for all the same.
-    template <class Found>
+    template <Instructions set, class Found>
     bool visit(const Ray<Real>& ray, const Real& limit, Found&& found) const
     {
         const Vec3<Number> O(ray.O), D(ray.D);
         // The boxes are padded for unit vectors, which all lessons trace; others meet every sphere.
-        if (tree.empty() || !(std::abs(dot(ray.D, ray.D) - 1) <= directionError))
+        if (tree.empty() || !isUnit(ray.D))
         {
             for (const auto& block : blocks)
-                if (visitBlock(block, O, D, ray.from, limit, found)) return true;
+                if (visitBlock<set>(block, O, D, ray.from, limit, found)) return true;
             return false;
         }
-        return tree.visitLeaves(ray.O, ray.D, limit, [&](std::size_t leaf) {
-            return visitBlock(blocks[leaf], O, D, ray.from, limit, found);
+        return tree.template visitLeaves<set>(O, D, limit, [&](std::size_t leaf) {
+            return visitBlock<set>(blocks[leaf], O, D, ray.from, limit, found);
         });
     }
 
@@ -73,8 +71,7 @@ public:
 private:
     using Number = Wide<Real>; ///< what the formula computes in
 
-    static constexpr int lanes = bvhWidth;
-    static constexpr Real directionError = 16 * std::numeric_limits<Real>::epsilon();
+    static constexpr int lanes = bvhLeafSize;
 
     struct Block
     {
@@ -92,26 +89,41 @@ private:
         });
     }
 
-    template <class Found>
+    template <Instructions set, class Found>
     static bool visitBlock(const Block& block, const Vec3<Number>& O, const Vec3<Number>& D, PrimitiveId from,
                            const Real& limit, Found& found)
     {
-        Number b[lanes], discriminant[lanes];
-        for (int k = 0; k < lanes; ++k)
+        using Lanes = rt::Lanes<Number, set>;
+        Number bs[lanes], discriminants[lanes];
+        unsigned met = 0;
+        for (int k = 0; k < lanes; k += laneCount<Number, set>)
         {
-            const Number x = O.x - block.C[0][k], y = O.y - block.C[1][k], z = O.z - block.C[2][k];
-            b[k] = x * D.x + y * D.y + z * D.z;
-            const Number lx = x - b[k] * D.x, ly = y - b[k] * D.y, lz = z - b[k] * D.z;
-            discriminant[k] = block.squaredRadius[k] - (lx * lx + ly * ly + lz * lz);
+            Lanes x, y, z, discriminant;
+            std::memcpy(&x, block.C[0] + k, sizeof x);
+            std::memcpy(&y, block.C[1] + k, sizeof y);
+            std::memcpy(&z, block.C[2] + k, sizeof z);
+            std::memcpy(&discriminant, block.squaredRadius + k, sizeof discriminant);
+            x = O.x - x;
+            y = O.y - y;
+            z = O.z - z;
+            const Lanes b = x * D.x + y * D.y + z * D.z;
+            x -= b * D.x;
+            y -= b * D.y;
+            z -= b * D.z;
+            discriminant -= x * x + y * y + z * z;
+            std::memcpy(bs + k, &b, sizeof b);
+            std::memcpy(discriminants + k, &discriminant, sizeof discriminant);
+            met |= bitsOf(discriminant >= 0) << k;
         }
-        for (int k = 0; k < lanes; ++k)
+        for (; met; met &= met - 1)
         {
-            if (!(discriminant[k] >= 0)) continue;
+            const int k = std::countr_zero(met);
+            const Number b = bs[k], squaredRadius = block.squaredRadius[k];
             const Vec3<Number> oc(O.x - block.C[0][k], O.y - block.C[1][k], O.z - block.C[2][k]);
-            const Number c = dot(oc, oc) - block.squaredRadius[k];
-            if (b[k] > 0 && c > 0) continue; // outside and going away: both roots are negative
+            const Number c = dot(oc, oc) - squaredRadius;
+            if (b > 0 && c > 0) continue; // outside and going away: both roots are negative
             if (block.id[k] == from) continue;
-            const Number q = -(b[k] + std::copysign(std::sqrt(discriminant[k]), b[k]));
+            const Number q = -(b + std::copysign(std::sqrt(discriminants[k]), b));
             const Number other = c / q;
             const Real t1 = Real(std::min(q, other)), t2 = Real(std::max(q, other));
             const Real t = t1 > 0 ? t1 : t2;
@@ -121,7 +133,7 @@ private:
     }
 
     std::vector<Block> blocks; ///< in the order of ids, or of the tree's leaves
-    Bvh<Real> tree;
+    Bvh<Number> tree;
 };
 
 } // namespace rt
