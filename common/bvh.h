@@ -127,30 +127,37 @@ private:
     {
         using Lanes = rt::Lanes<float, set>;
 
-        float enterO[3], leaveO[3], minusInverse[3];
-        std::ptrdiff_t enter[3], leave[3]; ///< the lower or the upper planes, counted from a node's first
-        Number start, scale;               ///< t = 0 here, in the scene's coordinates
+        struct Axis
+        {
+            float enterO, leaveO, minusInverse;
+            std::ptrdiff_t enter, leave; ///< to the lower and the upper planes, or the other way round
+        } axes[3];
+        Number start, scale; ///< t = 0 here, in the scene's coordinates
 
         /// The scene's t, here; too large by some rounding.
         float along(Number t) const { return float((t - start) * scale) * (1 + 0x1p-20F) + 0x1p-20F; }
 
         // Each step is monotonic: a box around another is never entered later, nor left earlier, to the last bit.
+        [[gnu::always_inline]] static void cut(const Axis& axis, const float* planes, Lanes& first, Lanes& last)
+        {
+            Lanes near, far;
+            std::memcpy(&near, planes + axis.enter, sizeof near);
+            std::memcpy(&far, planes + axis.leave, sizeof far);
+            const Lanes t = (axis.enterO - near) * axis.minusInverse;
+            const Lanes u = (axis.leaveO - far) * axis.minusInverse;
+            first = t > first ? t : first;
+            last = u < last ? u : last;
+        }
+
         [[gnu::always_inline]] unsigned meet(const BvhNode& node, float end, float (&enters)[bvhWidth]) const
         {
             unsigned met = 0;
             for (int k = 0; k < bvhWidth; k += laneCount<float, set>)
             {
                 Lanes first{}, last = Lanes{} + end;
-                for (int axis = 0; axis < 3; ++axis)
-                {
-                    Lanes near, far;
-                    std::memcpy(&near, node.planes + enter[axis] + k, sizeof near);
-                    std::memcpy(&far, node.planes + leave[axis] + k, sizeof far);
-                    const Lanes t = (enterO[axis] - near) * minusInverse[axis];
-                    const Lanes u = (leaveO[axis] - far) * minusInverse[axis];
-                    first = t > first ? t : first;
-                    last = u < last ? u : last;
-                }
+                cut(axes[0], node.planes + k, first, last);
+                cut(axes[1], node.planes + k + bvhWidth, first, last);
+                cut(axes[2], node.planes + k + bvhWidth * 2, first, last);
                 std::memcpy(enters + k, &first, sizeof first);
                 met |= bitsOf(first <= last) << k;
             }
@@ -166,27 +173,33 @@ private:
         ray.scale = scale;
         Vec3<Number> o = (O - middle) * scale;
         float pad = 0;
-        if (const Number far = std::abs(o.x) + std::abs(o.y) + std::abs(o.z); !(far <= nearby))
-        {
-            // From afar floats would be too coarse: come nearer first.
-            const Number ahead = std::max(Number(0), -dot(o, D) - 4);
-            o += ahead * D;
-            ray.start = ahead / scale;
-            pad = float(boxesShare * 4 * (std::abs(o.x) + std::abs(o.y) + std::abs(o.z)) + 4 * formulasShare * far);
-        }
+        if (const Number far = std::abs(o.x) + std::abs(o.y) + std::abs(o.z); !(far <= nearby)) [[unlikely]]
+            pad = approach(o, D, far, ray.start);
         for (int axis = 0; axis < 3; ++axis)
         {
+            float d = float(D[axis]);
             // 1 / 0 would make 0 * infinity of a plane through O. This is as steep, and finite.
-            constexpr float least = 0x1p-60F;
-            const float d = float(D[axis]), inverse = 1 / (std::abs(d) < least ? std::copysign(least, d) : d);
-            const bool down = inverse < 0;
-            ray.minusInverse[axis] = -inverse;
-            ray.enterO[axis] = float(o[axis]) + std::copysign(pad, inverse);
-            ray.leaveO[axis] = float(o[axis]) - std::copysign(pad, inverse);
-            ray.enter[axis] = (down ? 3 + axis : axis) * bvhWidth;
-            ray.leave[axis] = (down ? axis : 3 + axis) * bvhWidth;
+            if (constexpr float least = 0x1p-60F; std::abs(d) < least) [[unlikely]]
+                d = std::copysign(least, d);
+            constexpr std::ptrdiff_t other = 3 * bvhWidth;
+            const std::ptrdiff_t down = std::bit_cast<std::int32_t>(d) >> 31 & other;
+            ray.axes[axis] = {float(o[axis]), float(o[axis]), -1 / d, down, other - down};
+            if (pad > 0) [[unlikely]]
+            {
+                ray.axes[axis].enterO += std::copysign(pad, d);
+                ray.axes[axis].leaveO -= std::copysign(pad, d);
+            }
         }
         return ray;
+    }
+
+    /// Floats would be too coarse from afar: brings o nearer, and returns what more the boxes must then be padded by.
+    [[gnu::noinline]] float approach(Vec3<Number>& o, const Vec3<Number>& D, Number far, Number& start) const
+    {
+        const Number ahead = std::max(Number(0), -dot(o, D) - 4);
+        o += ahead * D;
+        start = ahead / scale;
+        return float(boxesShare * 4 * (std::abs(o.x) + std::abs(o.y) + std::abs(o.z)) + 4 * formulasShare * far);
     }
 
     std::vector<BvhNode> nodes;

@@ -43,7 +43,7 @@ struct Box
 /// Up to four shapes; -1 fills up.
 using BvhLeaf = std::array<std::int32_t, bvhLeafSize>;
 
-struct BvhNode
+struct alignas(64) BvhNode
 {
     float planes[2 * 3 * bvhWidth]; ///< the lower ones of the x, y and z axis, then the upper ones; no ray meets a missing child
     std::int32_t child[bvhWidth];   ///< a node, or ~leaf

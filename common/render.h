@@ -27,6 +27,7 @@ struct RenderOptions
 template <std::floating_point Real>
 std::array<Real, 2> samplePosition(int index)
 {
+    if (index == 0) return {Real(0.5), Real(0.5)};
     const auto fraction = [index](Real step) {
         const Real x = Real(0.5) + Real(index) * step;
         return x - std::floor(x);

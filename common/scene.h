@@ -39,13 +39,28 @@ public:
     /// that it leaves, and the sphere only at its far side. Equal distances: the lowest primitive id wins. `shapes`
     /// supplies the formulas; only exercise 01 passes its own.
     template <class Formulas = Shapes<Real>>
-    std::optional<Hit<Real>> intersect(const Ray<Real>& ray, const Formulas& shapes = {}) const;
+    [[gnu::always_inline]] std::optional<Hit<Real>> intersect(const Ray<Real>& ray, const Formulas& shapes = {}) const
+    {
+#if RAYTREE_X86
+        if constexpr (hasLanes<Real> && std::is_same_v<Formulas, Shapes<Real>>)
+            if (instructions == Instructions::avx2) return intersectAvx2(ray);
+#endif
+        return intersectWith<Instructions::baseline>(ray, shapes);
+    }
 
     /// The slides' !IsVisible: is there anything on the open segment from I towards L (unit), shorter than `distance`?
     /// Glass is something, unless the scene says shadow_through_glass = "tint". A lamp so near that its light does not fit
     /// Real sits on the point: the point itself is in its way.
     template <class Formulas = Shapes<Real>>
-    bool occluded(const Point<Real>& I, const Vec3<Real>& L, Real distance, const Formulas& shapes = {}) const;
+    [[gnu::always_inline]] bool occluded(const Point<Real>& I, const Vec3<Real>& L, Real distance,
+                                         const Formulas& shapes = {}) const
+    {
+#if RAYTREE_X86
+        if constexpr (hasLanes<Real> && std::is_same_v<Formulas, Shapes<Real>>)
+            if (instructions == Instructions::avx2) return occludedAvx2(I, L, distance);
+#endif
+        return occludedWith<Instructions::baseline>(I, L, distance, shapes);
+    }
 
     /// The product of the colours of all dielectric surfaces on that segment; white unless shadow_through_glass = "tint".
     Vec3<Real> shadowTint(const Point<Real>& I, const Vec3<Real>& L, Real distance) const
@@ -106,8 +121,7 @@ private:
     std::vector<PrimitiveId> meshes;                     ///< the first triangle of each
     Real nearestLamp = std::numeric_limits<Real>::min(); ///< distance²: closer, light may overflow
 
-    PrimitiveId firstPlane() const { return PrimitiveId(spheres.size()); }
-    PrimitiveId firstTriangle() const { return PrimitiveId(spheres.size() + planes.size()); }
+    PrimitiveId firstPlane = 0, firstTriangle = 0;
 };
 
 template <std::floating_point Real>
@@ -182,6 +196,8 @@ Scene<Real>::Scene(const SceneDescription& description)
     for (const auto& light : lights)
         nearestLamp = std::max(nearestLamp, largestChannel(light.color) / std::numeric_limits<Real>::max() * 64 *
                                                 Real(lights.size()));
+    firstPlane = PrimitiveId(spheres.size());
+    firstTriangle = PrimitiveId(spheres.size() + planes.size());
     if (settings.cutoff > 0) brightest = brightestReturn();
     sphereSearch = SphereSearch<Real>(spheres);
     triangleSearch = TriangleSearch<Real>(triangles);
@@ -193,7 +209,7 @@ template <std::floating_point Real>
 template <Instructions set, class Found, class Formulas>
 void Scene<Real>::visitHits(const Ray<Real>& ray, const Formulas& shapes, const Real& limit, Found&& found) const
 {
-    if (ray.from >= 0 && ray.from < firstPlane())
+    if (ray.from >= 0 && ray.from < firstPlane)
         if (const auto t = Shapes<Real>::leaveSphere(ray, spheres[std::size_t(ray.from)]))
             if (found(ray.from, *t)) return;
     if constexpr (std::is_same_v<Formulas, Shapes<Real>>)
@@ -202,18 +218,18 @@ void Scene<Real>::visitHits(const Ray<Real>& ray, const Formulas& shapes, const 
     }
     else // Other formulas have their own roundings, which no box is padded for.
     {
-        for (PrimitiveId id = 0; id < firstPlane(); ++id)
+        for (PrimitiveId id = 0; id < firstPlane; ++id)
             if (id != ray.from)
                 if (const auto t = shapes.intersectSphere(ray, spheres[std::size_t(id)]))
                     if (found(id, *t)) return;
         if (visitPlanes(ray, shapes, found)) return;
     }
     if (triangles.empty()) return;
-    const bool leavesTriangle = ray.from >= firstTriangle();
+    const bool leavesTriangle = ray.from >= firstTriangle;
     triangleSearch.template visit<set>(triangles, ray, limit, [&](PrimitiveId index, Real t) {
-        if (firstTriangle() + index == ray.from) return false;
+        if (firstTriangle + index == ray.from) return false;
         if (leavesTriangle && startsOn(ray, triangles[std::size_t(index)])) return false;
-        return bool(found(firstTriangle() + index, t));
+        return bool(found(firstTriangle + index, t));
     });
 }
 
@@ -221,7 +237,7 @@ template <std::floating_point Real>
 template <class Found, class Formulas>
 bool Scene<Real>::visitPlanes(const Ray<Real>& ray, const Formulas& shapes, Found& found) const
 {
-    PrimitiveId id = firstPlane();
+    PrimitiveId id = firstPlane;
     for (const auto& plane : planes)
     {
         if (id != ray.from)
@@ -230,28 +246,6 @@ bool Scene<Real>::visitPlanes(const Ray<Real>& ray, const Formulas& shapes, Foun
         ++id;
     }
     return false;
-}
-
-template <std::floating_point Real>
-template <class Formulas>
-std::optional<Hit<Real>> Scene<Real>::intersect(const Ray<Real>& ray, const Formulas& shapes) const
-{
-#if RAYTREE_X86
-    if constexpr (hasLanes<Real> && std::is_same_v<Formulas, Shapes<Real>>)
-        if (instructions == Instructions::avx2) return intersectAvx2(ray);
-#endif
-    return intersectWith<Instructions::baseline>(ray, shapes);
-}
-
-template <std::floating_point Real>
-template <class Formulas>
-bool Scene<Real>::occluded(const Point<Real>& I, const Vec3<Real>& L, Real distance, const Formulas& shapes) const
-{
-#if RAYTREE_X86
-    if constexpr (hasLanes<Real> && std::is_same_v<Formulas, Shapes<Real>>)
-        if (instructions == Instructions::avx2) return occludedAvx2(I, L, distance);
-#endif
-    return occludedWith<Instructions::baseline>(I, L, distance, shapes);
 }
 
 template <std::floating_point Real>
@@ -308,9 +302,9 @@ Vec3<Real> Scene<Real>::tintBetween(const Point<Real>& I, const Vec3<Real>& L, R
 template <std::floating_point Real>
 const Material<Real>& Scene<Real>::materialOf(PrimitiveId id) const
 {
-    if (id < firstPlane()) return materials[std::size_t(spheres[std::size_t(id)].material)];
-    if (id < firstTriangle()) return materials[std::size_t(planes[std::size_t(id - firstPlane())].material)];
-    return materials[std::size_t(triangles[std::size_t(id - firstTriangle())].material)];
+    if (id < firstPlane) return materials[std::size_t(spheres[std::size_t(id)].material)];
+    if (id < firstTriangle) return materials[std::size_t(planes[std::size_t(id - firstPlane)].material)];
+    return materials[std::size_t(triangles[std::size_t(id - firstTriangle)].material)];
 }
 
 /// An upper bound of what `trace` returns: the sky's brightest spot, or all lights as near as they are to any surface, for
@@ -338,19 +332,19 @@ template <std::floating_point Real>
 Hit<Real> Scene<Real>::hitAt(const Ray<Real>& ray, Real t, PrimitiveId id) const
 {
     const Vec3<Real> P = ray.O + t * ray.D;
-    if (id < firstPlane())
+    if (id < firstPlane)
     {
         const auto& sphere = spheres[std::size_t(id)];
         const Vec3<Real> N = unit(P - sphere.C);
         return finish(ray, t, id, sphere.C + sphere.r * N, N, sphere.material);
     }
-    if (id < firstTriangle())
+    if (id < firstTriangle)
     {
-        const auto& plane = planes[std::size_t(id - firstPlane())];
+        const auto& plane = planes[std::size_t(id - firstPlane)];
         const Vec3<Real> I = P - dot(P - plane.P, plane.N) * plane.N;
         return finish(ray, t, id, I, plane.N, plane.materialAt(I));
     }
-    const auto& triangle = triangles[std::size_t(id - firstTriangle())];
+    const auto& triangle = triangles[std::size_t(id - firstTriangle)];
     return finish(ray, t, id, P - dot(P - triangle.a, triangle.N) * triangle.N, triangle.N, triangle.material);
 }
 
@@ -370,9 +364,9 @@ template <std::floating_point Real>
 std::string Scene<Real>::primitiveName(PrimitiveId id) const
 {
     if (id < 0) return "nothing";
-    if (id < firstPlane()) return "sphere" + std::to_string(id);
-    if (id < firstTriangle()) return "plane" + std::to_string(id - firstPlane());
-    const PrimitiveId triangle = id - firstTriangle();
+    if (id < firstPlane) return "sphere" + std::to_string(id);
+    if (id < firstTriangle) return "plane" + std::to_string(id - firstPlane);
+    const PrimitiveId triangle = id - firstTriangle;
     for (std::size_t mesh = meshes.size(); mesh-- > 0;)
         if (triangle >= meshes[mesh])
             return "mesh" + std::to_string(mesh) + ".triangle" + std::to_string(triangle - meshes[mesh]);

@@ -33,7 +33,8 @@ struct Plane
     {
         if (checkerMaterial < 0) return material;
         const Real cell = std::floor(dot(I, U) / checkerSize) + std::floor(dot(I, V) / checkerSize);
-        return std::fmod(cell, Real(2)) == 0 ? material : checkerMaterial;
+        const Real half = cell / 2; // exact; and no number if the cell is none
+        return half - std::floor(half) == 0 ? material : checkerMaterial;
     }
 };
 

@@ -31,20 +31,26 @@ using Wide = decltype(Real() + double());
 template <std::floating_point Real>
 inline constexpr Real infinity = std::numeric_limits<Real>::infinity();
 
+/// unit(v) where the square of v's length has no full precision.
+template <std::floating_point Real>
+[[gnu::noinline]] Vec3<Real> unitOfExtreme(const Vec3<Real>& v)
+{
+    const Real largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    if (!(largest > 0 && largest <= std::numeric_limits<Real>::max())) return v;
+    const int exponent = -std::ilogb(largest);
+    const Vec3<Real> scaled(std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent));
+    return scaled / std::sqrt(dot(scaled, scaled));
+}
+
 /// The unit vector along v; the zero vector stays zero. glm::normalize gives NaN for a zero vector, and zero for vectors
 /// so long that their square overflows; here v is first scaled by a power of two, which costs no precision.
 template <std::floating_point Real>
-Vec3<Real> unit(const Vec3<Real>& v)
+[[gnu::always_inline]] inline Vec3<Real> unit(const Vec3<Real>& v)
 {
     using Limits = std::numeric_limits<Real>;
     const Real squared = dot(v, v);
     if (squared >= Limits::min() / Limits::epsilon() && squared <= Limits::max()) return v / std::sqrt(squared);
-
-    const Real largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-    if (!(largest > 0 && largest <= Limits::max())) return v;
-    const int exponent = -std::ilogb(largest);
-    const Vec3<Real> scaled(std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent));
-    return scaled / std::sqrt(dot(scaled, scaled));
+    return unitOfExtreme(v);
 }
 
 /// The largest of the three channels.
