@@ -69,8 +69,17 @@ public:
     bool visitLeaves(const Vec3<Number>& O, const Vec3<Number>& D, const Real& limit, Visit&& visit) const
     {
         if (nodes.empty()) return false;
-        const Slabs<set> ray = place<set>(O, D);
-        float end = ray.along(limit);
+        Vec3<Number> o = (O - middle) * scale;
+        Number start = 0; // where t is 0 among the boxes
+        float pad = 0;
+        if (const Number far = std::abs(o.x) + std::abs(o.y) + std::abs(o.z); !(far <= nearby)) [[unlikely]]
+            pad = approach(o, D, far, start);
+        Vec3<float> d(D);
+        if (std::min({std::abs(d.x), std::abs(d.y), std::abs(d.z)}) < least) [[unlikely]]
+            d = awayFromZero(d);
+        const Slabs<set> ray{{float(o.x), d.x, pad}, {float(o.y), d.y, pad}, {float(o.z), d.z, pad}};
+        const auto along = [&] { return float((limit - start) * scale) * (1 + 0x1p-20F) + 0x1p-20F; };
+        float end = along();
         std::uint64_t stack[bvhStackSize], entry = 0;
         for (int top = 0;;)
         {
@@ -78,7 +87,7 @@ public:
             if (child < 0)
             {
                 if (visit(std::size_t(~child))) return true;
-                end = ray.along(limit);
+                end = along();
             }
             else
             {
@@ -129,25 +138,33 @@ private:
 
         struct Axis
         {
-            float enterO, leaveO, minusInverse;
-            std::ptrdiff_t enter, leave; ///< to the lower and the upper planes, or the other way round
-        } axes[3];
-        Number start, scale; ///< t = 0 here, in the scene's coordinates
+            Lanes enterO, leaveO, minusInverse; ///< the same number in each lane
+            std::ptrdiff_t enter, leave;        ///< bytes to the lower and the upper planes, or the other way round
 
-        /// The scene's t, here; too large by some rounding.
-        float along(Number t) const { return float((t - start) * scale) * (1 + 0x1p-20F) + 0x1p-20F; }
+            Axis(float o, float d, float pad)
+                : enterO(Lanes{} + o), leaveO(enterO), minusInverse(Lanes{} + -1 / d),
+                  enter(std::bit_cast<std::int32_t>(d) >> 31 & upper), leave(upper - enter)
+            {
+                if (pad == 0) return;
+                enterO += std::copysign(pad, d);
+                leaveO -= std::copysign(pad, d);
+            }
 
-        // Each step is monotonic: a box around another is never entered later, nor left earlier, to the last bit.
-        [[gnu::always_inline]] static void cut(const Axis& axis, const float* planes, Lanes& first, Lanes& last)
-        {
-            Lanes near, far;
-            std::memcpy(&near, planes + axis.enter, sizeof near);
-            std::memcpy(&far, planes + axis.leave, sizeof far);
-            const Lanes t = (axis.enterO - near) * axis.minusInverse;
-            const Lanes u = (axis.leaveO - far) * axis.minusInverse;
-            first = t > first ? t : first;
-            last = u < last ? u : last;
-        }
+            // Each step is monotonic: a box around another is never entered later, nor left earlier, to the last bit.
+            [[gnu::always_inline]] void cut(const float* planes, Lanes& first, Lanes& last) const
+            {
+                const char* const bytes = reinterpret_cast<const char*>(planes);
+                Lanes near, far;
+                std::memcpy(&near, bytes + enter, sizeof near);
+                std::memcpy(&far, bytes + leave, sizeof far);
+                const Lanes t = (enterO - near) * minusInverse;
+                const Lanes u = (leaveO - far) * minusInverse;
+                first = t > first ? t : first;
+                last = u < last ? u : last;
+            }
+
+            static constexpr std::ptrdiff_t upper = 3 * bvhWidth * sizeof(float);
+        } x, y, z;
 
         [[gnu::always_inline]] unsigned meet(const BvhNode& node, float end, float (&enters)[bvhWidth]) const
         {
@@ -155,9 +172,9 @@ private:
             for (int k = 0; k < bvhWidth; k += laneCount<float, set>)
             {
                 Lanes first{}, last = Lanes{} + end;
-                cut(axes[0], node.planes + k, first, last);
-                cut(axes[1], node.planes + k + bvhWidth, first, last);
-                cut(axes[2], node.planes + k + bvhWidth * 2, first, last);
+                x.cut(node.planes + k, first, last);
+                y.cut(node.planes + k + bvhWidth, first, last);
+                z.cut(node.planes + k + bvhWidth * 2, first, last);
                 std::memcpy(enters + k, &first, sizeof first);
                 met |= bitsOf(first <= last) << k;
             }
@@ -165,32 +182,13 @@ private:
         }
     };
 
-    template <Instructions set>
-    Slabs<set> place(const Vec3<Number>& O, const Vec3<Number>& D) const
+    // 1 / 0 would make 0 * infinity of a plane through O. This is as steep, and finite.
+    static constexpr float least = 0x1p-60F;
+    static Vec3<float> awayFromZero(Vec3<float> d)
     {
-        Slabs<set> ray;
-        ray.start = 0;
-        ray.scale = scale;
-        Vec3<Number> o = (O - middle) * scale;
-        float pad = 0;
-        if (const Number far = std::abs(o.x) + std::abs(o.y) + std::abs(o.z); !(far <= nearby)) [[unlikely]]
-            pad = approach(o, D, far, ray.start);
         for (int axis = 0; axis < 3; ++axis)
-        {
-            float d = float(D[axis]);
-            // 1 / 0 would make 0 * infinity of a plane through O. This is as steep, and finite.
-            if (constexpr float least = 0x1p-60F; std::abs(d) < least) [[unlikely]]
-                d = std::copysign(least, d);
-            constexpr std::ptrdiff_t other = 3 * bvhWidth;
-            const std::ptrdiff_t down = std::bit_cast<std::int32_t>(d) >> 31 & other;
-            ray.axes[axis] = {float(o[axis]), float(o[axis]), -1 / d, down, other - down};
-            if (pad > 0) [[unlikely]]
-            {
-                ray.axes[axis].enterO += std::copysign(pad, d);
-                ray.axes[axis].leaveO -= std::copysign(pad, d);
-            }
-        }
-        return ray;
+            if (std::abs(d[axis]) < least) d[axis] = std::copysign(least, d[axis]);
+        return d;
     }
 
     /// Floats would be too coarse from afar: brings o nearer, and returns what more the boxes must then be padded by.

@@ -61,9 +61,10 @@ public:
                 if (visitBlock<set>(block, O, D, ray.from, limit, found)) return true;
             return false;
         }
-        return tree.template visitLeaves<set>(O, D, limit, [&](std::size_t leaf) {
-            return visitBlock<set>(blocks[leaf], O, D, ray.from, limit, found);
-        });
+#if RAYTREE_X86
+        if constexpr (set == Instructions::avx2) return visitTreeAvx2(O, D, ray.from, limit, found);
+#endif
+        return visitTree<set>(O, D, ray.from, limit, found);
     }
 
     std::size_t bytes() const { return blocks.capacity() * sizeof(Block) + tree.bytes(); }
@@ -88,6 +89,25 @@ private:
             return Number(sphere.r) * Number(sphere.r) >= Limits::min() / Limits::epsilon();
         });
     }
+
+    template <Instructions set, class Found>
+    bool visitTree(const Vec3<Number>& O, const Vec3<Number>& D, PrimitiveId from, const Real& limit,
+                   Found& found) const
+    {
+        return tree.template visitLeaves<set>(O, D, limit, [&](std::size_t leaf) {
+            return visitBlock<set>(blocks[leaf], O, D, from, limit, found);
+        });
+    }
+
+#if RAYTREE_X86
+    // By itself, or it would need so many registers that scans get slower.
+    template <class Found>
+    RAYTREE_AVX2 [[gnu::noinline]] bool visitTreeAvx2(const Vec3<Number>& O, const Vec3<Number>& D, PrimitiveId from,
+                                                      const Real& limit, Found& found) const
+    {
+        return visitTree<Instructions::avx2>(O, D, from, limit, found);
+    }
+#endif
 
     template <Instructions set, class Found>
     static bool visitBlock(const Block& block, const Vec3<Number>& O, const Vec3<Number>& D, PrimitiveId from,
