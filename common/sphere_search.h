@@ -138,11 +138,11 @@ private:
         for (; met; met &= met - 1)
         {
             const int k = std::countr_zero(met);
+            if (block.id[k] == from) continue;
             const Number b = bs[k], squaredRadius = block.squaredRadius[k];
             const Vec3<Number> oc(O.x - block.C[0][k], O.y - block.C[1][k], O.z - block.C[2][k]);
             const Number c = dot(oc, oc) - squaredRadius;
             if (b > 0 && c > 0) continue; // outside and going away: both roots are negative
-            if (block.id[k] == from) continue;
             const Number q = -(b + std::copysign(std::sqrt(discriminants[k]), b));
             const Number other = c / q;
             const Real t1 = Real(std::min(q, other)), t2 = Real(std::max(q, other));
