@@ -66,7 +66,10 @@ public:
         return visitTree<set>(O, D, from, limit, found);
     }
 
-    std::size_t bytes() const { return blocks.capacity() * sizeof(Block) + tree.bytes(); }
+    std::size_t bytes() const
+    {
+        return blocks.capacity() * sizeof(Block) + tree.bytes();
+    }
 
 private:
     using Number = Wide<Real>; ///< what the formula computes in
@@ -94,9 +97,8 @@ private:
                    Found& found) const
     {
         const Vec3<Number> O(rayO), D(rayD);
-        return tree.template visitLeaves<set>(O, D, limit, [&](std::size_t leaf) {
-            return visitBlock<set>(blocks[leaf], O, D, from, limit, found);
-        });
+        return tree.template visitLeaves<set>(
+            O, D, limit, [&](std::size_t leaf) { return visitBlock<set>(blocks[leaf], O, D, from, limit, found); });
     }
 
 #if RAYTREE_X86
