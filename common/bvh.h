@@ -40,8 +40,7 @@ public:
         const Vec3<Number> size = Number(0.5) * all.high - Number(0.5) * all.low;
         const Number half = std::max({size.x, size.y, size.z});
         middle = all.middle();
-        if (!isFinite(middle) || !(half > std::numeric_limits<Number>::min() * 4) || !(half < infinity<Number> / 8))
-            return;
+        if (!isFinite(middle) || !(half > std::numeric_limits<Number>::min() * 4) || !(half < infinity<Number>)) return;
         scale = std::ldexp(Number(1), -std::ilogb(half) - 1);
 
         const Vec3<Number> distance = abs(middle);

@@ -13,7 +13,7 @@ class SphereSearch
 {
 public:
     /// More spheres than this are searched through a hierarchy: tests/perf/README.md has the measurement.
-    static constexpr std::size_t mostScanned = 12;
+    static constexpr std::size_t mostScanned = 16;
 
     explicit SphereSearch(const std::vector<Sphere<Real>>& spheres, std::size_t most = mostScanned)
     {
