@@ -78,7 +78,7 @@ public:
         if (std::min({std::abs(d.x), std::abs(d.y), std::abs(d.z)}) < least) [[unlikely]]
             d = awayFromZero(d);
         const Slabs<set> ray{{float(o.x), d.x, pad}, {float(o.y), d.y, pad}, {float(o.z), d.z, pad}};
-        const auto along = [&] { return float((limit - start) * scale) * (1 + 0x1p-20F) + 0x1p-20F; };
+        const auto along = [&] { return float((limit - start) * scale) * (1 + roundingUp) + roundingUp; };
         float end = along();
         std::uint64_t stack[bvhStackSize], entry = 0;
         for (int top = 0;;)
@@ -125,8 +125,9 @@ private:
         return std::uint64_t(std::bit_cast<std::uint32_t>(t)) << 32 | std::uint32_t(child);
     }
 
-    static constexpr float boxesShare =
-        0x1p-22F;                    ///< error of where a ray meets a box, as a share of |O|: 2.8 times too much
+    /// Error of where a ray meets a box, as a share of |O|: 2.8 times too much.
+    static constexpr float boxesShare = 2 * std::numeric_limits<float>::epsilon();
+    static constexpr float roundingUp = 8 * std::numeric_limits<float>::epsilon();
     static constexpr int nearby = 8; ///< origins so near are covered by the padding of the boxes
 
     /// The ray among the boxes: where it passes the planes of one, t = (O - plane) * -1/D.
@@ -182,7 +183,7 @@ private:
     };
 
     // 1 / 0 would make 0 * infinity of a plane through O. This is as steep, and finite.
-    static constexpr float least = 0x1p-60F;
+    static constexpr float least = std::numeric_limits<float>::min();
     static Vec3<float> awayFromZero(Vec3<float> d)
     {
         for (int axis = 0; axis < 3; ++axis)
