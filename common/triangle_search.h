@@ -11,8 +11,8 @@ template <std::floating_point Real>
 class TriangleSearch
 {
 public:
-    /// More triangles than this are searched through a hierarchy.
-    static constexpr std::size_t mostScanned = 8;
+    /// More triangles than this are searched through a hierarchy: tests/perf/README.md has the measurement.
+    static constexpr std::size_t mostScanned = 2;
 
     explicit TriangleSearch(const std::vector<Triangle<Real>>& triangles, std::size_t most = mostScanned)
     {
