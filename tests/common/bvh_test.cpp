@@ -220,7 +220,6 @@ template <class Real>
 Tally compareMany(int spheres, int triangles, double power, int worlds, int rays)
 {
     Tally tally;
-    if (!hasLanes<Real>) worlds = (worlds + 2) / 3; // long double takes its time
     for (int w = 0; w < worlds && !testing::Test::HasFatalFailure(); ++w)
     {
         World world(unsigned(w + 1));
