@@ -8,11 +8,18 @@
 
 #if defined(__x86_64__) && defined(__GNUC__)
 #define RAYTREE_X86 1
+#else
+#define RAYTREE_X86 0
+#endif
+
+// clang's `flatten` goes one level deep only: its programs keep to the baseline.
+#if RAYTREE_X86 && !defined(__clang__)
+#define RAYTREE_HAS_AVX2 1
 /// The function and all that it calls is compiled for AVX2, whatever the rest is compiled for: nothing else may call it but
 /// code that asked bestInstructions(). What is inlined here exists elsewhere for the baseline, under its own name.
 #define RAYTREE_AVX2 [[gnu::target("avx2"), gnu::flatten]]
 #else
-#define RAYTREE_X86 0
+#define RAYTREE_HAS_AVX2 0
 #endif
 
 namespace rt
@@ -28,7 +35,7 @@ enum class Instructions
 /// What this processor, and its operating system, can do.
 inline Instructions bestInstructions()
 {
-#if RAYTREE_X86
+#if RAYTREE_HAS_AVX2
     static const bool avx2 = (__builtin_cpu_init(), __builtin_cpu_supports("avx2"));
     if (avx2) return Instructions::avx2;
 #endif
@@ -89,6 +96,8 @@ inline unsigned bitsOf(const decltype(Lanes<double, Instructions::baseline>{} < 
 {
     return unsigned(__builtin_ia32_movmskpd((Lanes<double, Instructions::baseline>)mask));
 }
+#endif
+#if RAYTREE_HAS_AVX2
 [[gnu::target("avx2")]] inline unsigned bitsOf(const decltype(Lanes<float, Instructions::avx2>{} < 0) & mask)
 {
     return unsigned(__builtin_ia32_movmskps256((Lanes<float, Instructions::avx2>)mask));

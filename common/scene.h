@@ -41,7 +41,7 @@ public:
     template <class Formulas = Shapes<Real>>
     [[gnu::always_inline]] std::optional<Hit<Real>> intersect(const Ray<Real>& ray, const Formulas& shapes = {}) const
     {
-#if RAYTREE_X86
+#if RAYTREE_HAS_AVX2
         if constexpr (hasLanes<Real> && std::is_same_v<Formulas, Shapes<Real>>)
             if (instructions == Instructions::avx2) return intersectAvx2(ray);
 #endif
@@ -55,7 +55,7 @@ public:
     [[gnu::always_inline]] bool occluded(const Point<Real>& I, const Vec3<Real>& L, Real distance,
                                          const Formulas& shapes = {}) const
     {
-#if RAYTREE_X86
+#if RAYTREE_HAS_AVX2
         if constexpr (hasLanes<Real> && std::is_same_v<Formulas, Shapes<Real>>)
             if (instructions == Instructions::avx2) return occludedAvx2(I, L, distance);
 #endif
@@ -80,7 +80,7 @@ private:
     template <Instructions set, class Formulas>
     bool occludedWith(const Point<Real>& I, const Vec3<Real>& L, Real distance, const Formulas& shapes) const;
 
-#if RAYTREE_X86
+#if RAYTREE_HAS_AVX2
     RAYTREE_AVX2 std::optional<Hit<Real>> intersectAvx2(const Ray<Real>& ray) const
     {
         return intersectWith<Instructions::avx2>(ray, Shapes<Real>{});
@@ -99,7 +99,7 @@ private:
     void visitTriangles(const Vec3<Real>& O, const Vec3<Real>& D, PrimitiveId from, const Real& limit,
                         Found& found) const;
 
-#if RAYTREE_X86
+#if RAYTREE_HAS_AVX2
     // By itself, since most scenes have none, and scans of spheres are faster beside less.
     template <class Found>
     RAYTREE_AVX2 [[gnu::noinline]] void visitTrianglesAvx2(const Vec3<Real>& O, const Vec3<Real>& D, PrimitiveId from,
@@ -244,7 +244,7 @@ void Scene<Real>::visitHits(const Vec3<Real>& O, const Vec3<Real>& D, PrimitiveI
                 if (const auto t = shapes.intersectSphere(ray, spheres[std::size_t(id)]))
                     if (found(id, *t)) return;
     if (triangles.empty()) return;
-#if RAYTREE_X86
+#if RAYTREE_HAS_AVX2
     if constexpr (set == Instructions::avx2) return visitTrianglesAvx2(O, D, from, limit, found);
 #endif
     visitTriangles<set>(O, D, from, limit, found);

@@ -60,7 +60,7 @@ public:
                 if (visitBlock<set>(block, Vec3<Number>(O), Vec3<Number>(D), from, limit, found)) return true;
             return false;
         }
-#if RAYTREE_X86
+#if RAYTREE_HAS_AVX2
         if constexpr (set == Instructions::avx2) return visitTreeAvx2(O, D, from, limit, found);
 #endif
         return visitTree<set>(O, D, from, limit, found);
@@ -101,7 +101,7 @@ private:
             O, D, limit, [&](std::size_t leaf) { return visitBlock<set>(blocks[leaf], O, D, from, limit, found); });
     }
 
-#if RAYTREE_X86
+#if RAYTREE_HAS_AVX2
     // By itself, or it would take so many registers that scans get slower.
     template <class Found>
     RAYTREE_AVX2 [[gnu::noinline]] bool visitTreeAvx2(const Vec3<Real>& O, const Vec3<Real>& D, PrimitiveId from,
