@@ -1,6 +1,11 @@
 // Whoever is asked: a student's process, a lesson, a mutant. Lesson 00 is functions of numbers, the others are tracers.
 #pragma once
 
+#include <cstdint>
+#include <functional>
+#include <stdexcept>
+
+#include "tests/grade/result.h"
 #include "tests/lessons/lesson00_cases.h"
 #include "tests/lessons/subject.h"
 
@@ -11,6 +16,15 @@ struct Candidate
 {
     cases::Subject tracer;           ///< lessons 01 to 08; its functions are empty in lesson 00
     cases::GeometrySubject geometry; ///< lesson 00; empty functions otherwise
+    /// A hash of all answers since it was last called; two runs of an honest program give the same. Empty in our own process.
+    std::function<std::uint64_t()> fingerprint;
+};
+
+/// A student's process ended, or answered nonsense, while it was asked. It is started anew for the next question.
+struct Died : std::runtime_error
+{
+    Died(Outcome why, const std::string& sentence) : std::runtime_error(sentence), outcome(why) {}
+    Outcome outcome;
 };
 
 /// The lesson itself, in double: what the answers of a student are compared with. Lesson 00 to 08.
