@@ -63,6 +63,7 @@ enum class State
     missing,     ///< there is no file for this lesson
     refused,     ///< its package is not acceptable
     notCompiled, ///< the compiler refuses it, or needed too much
+    graderError, ///< something of ours failed; not the student's fault
 };
 
 struct SubmissionResult
