@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "viz/png.h"
+#include "common/image.h"
 
 namespace rt::viz
 {
