@@ -60,10 +60,9 @@ template <class OneCase, class Subject>
 bool registerExercise(const std::string& suite, const Subject& subject, const std::vector<OneCase>& cases)
 {
     for (const auto& which : cases)
-        testing::RegisterTest(suite.c_str(), fmt::format("{}_{}", which.group, which.name).c_str(), nullptr, nullptr,
-                              __FILE__, __LINE__, [which, subject]() -> testing::Test* {
-                                  return new ExerciseTest<OneCase, Subject>(which, subject);
-                              });
+        testing::RegisterTest(
+            suite.c_str(), fmt::format("{}_{}", which.group, which.name).c_str(), nullptr, nullptr, __FILE__, __LINE__,
+            [which, subject]() -> testing::Test* { return new ExerciseTest<OneCase, Subject>(which, subject); });
     return true;
 }
 
