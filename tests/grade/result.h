@@ -39,7 +39,8 @@ struct PictureTriple
     Image expected, got, difference;
     int x = 0, y = 0;       ///< the worst pixel
     std::string divergence; ///< the first difference of the two ray trees there, in words; empty: none
-    std::string command;    ///< opens the viewer there, comparing both
+    std::string command; ///< opens the viewer there, comparing both; SCENE in it stands for a file that holds `scene`
+    std::string scene;   ///< as TOML
 };
 
 /// Cases that are worth points together.
