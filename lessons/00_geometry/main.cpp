@@ -4,5 +4,5 @@
 int main(int argc, char** argv)
 {
     using namespace rt::lesson00;
-    return geometryMain(functionsOf<Geometry<double>>(), "lesson00", true, argc, argv);
+    return geometryMain(functionsOf<Geometry<double>>(), "lesson00", &tutorialSteps(), argc, argv);
 }

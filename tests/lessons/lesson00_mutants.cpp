@@ -1,3 +1,4 @@
+#include "lessons/00_geometry/geometry.h"
 #include "tests/lessons/lesson00_mutants.h"
 
 namespace rt::cases
