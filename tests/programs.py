@@ -1,6 +1,6 @@
 """Programs as their users call them: a folder of its own for each test, exit codes, messages, interruption.
 
-A check that imports this module is called with FOLDER_OF_PROGRAMS as its only argument.
+A check that imports this module is called with FOLDER_OF_PROGRAMS as its first argument.
 """
 import pathlib
 import signal
