@@ -1,3 +1,4 @@
+#include "lessons/00_geometry/geometry.h"
 #include "lessons/00_geometry/tutorial.h"
 
 int main(int argc, char** argv)

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "lessons/00_geometry/geometry.h"
 #include "tests/lessons/lesson00_cases.h"
 
 namespace rt::cases

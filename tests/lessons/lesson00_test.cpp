@@ -5,6 +5,7 @@
 
 #include "common/image.h"
 #include "lessons/00_geometry/exercise.h"
+#include "lessons/00_geometry/geometry.h"
 #include "lessons/00_geometry/tutorial.h"
 #include "solved00.h"
 #include "tests/lessons/lesson00_cases.h"

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "lessons/08_phong/trace.h"
-#include "tests/lessons/subject.h"
+#include "tests/lessons/scenes.h"
 
 namespace rt::numerics
 {
