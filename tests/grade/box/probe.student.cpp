@@ -93,8 +93,10 @@ void list()
     tell("start /bin/sh", canStartShell());
     tell("see environment variables", hasEnvironment());
     tell("use a stray descriptor", hasStrayDescriptor());
-    tell("make code at run time",
-         ::mmap(nullptr, 4096, PROT_READ | PROT_WRITE | PROT_EXEC, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0) != MAP_FAILED);
+    // Asking for the state of a file is allowed, so that this sees the file system itself and not the filter.
+    struct stat state;
+    for (const char* path : {"/etc", "/usr", "/proc", "/dev", "/tmp", "/home", "/lib"})
+        tell("see files of the system", ::stat(path, &state) == 0);
     answer(worked + ".");
 }
 
@@ -105,6 +107,8 @@ void list()
 
 [[gnu::noinline]] int endless(volatile int* above)
 {
+    if (above[0] < 0) return 0; // never, but the compiler does not know
+
     volatile int here[256] = {*above};
     return endless(here) + here[0];
 }
@@ -125,7 +129,9 @@ void eatMemory()
 [[noreturn]] void spin()
 {
     volatile bool forever = true;
-    while (forever) {}
+    while (forever)
+    {
+    }
     ::_exit(6);
 }
 
@@ -145,17 +151,21 @@ void attempt(const std::string& word)
     if (word == "process_vm_readv") ::syscall(SYS_process_vm_readv, 1, nullptr, 0, nullptr, 0, 0);
     if (word == "signal") ::syscall(SYS_tgkill, 1, 1, SIGKILL);
     if (word == "i386") asm volatile("int $0x80" : : "a"(20) : "memory", "r8", "r9", "r10", "r11");
+    if (word == "code") ::mmap(nullptr, 4096, PROT_READ | PROT_WRITE | PROT_EXEC, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (word == "raise limits")
     {
         const rlimit none{RLIM_INFINITY, RLIM_INFINITY};
         ::setrlimit(RLIMIT_CPU, &none);
     }
     if (word == "memory") eatMemory();
-    if (word == "cpu")
-        spin();
+    if (word == "cpu") spin();
     // Misbehaviour, for tests.
     if (word == "sleep") sleepLong();
-    if (word == "segfault") *reinterpret_cast<volatile int*>(8) = 1;
+    if (word == "segfault")
+    {
+        static int* volatile nowhere = nullptr;
+        *nowhere = 1;
+    }
     if (word == "abort") std::abort();
     if (word == "throw") throw std::vector<int>();
     if (word == "stack")

@@ -47,7 +47,7 @@ Finding forbidden(const Box& box, const std::string& word)
     const auto got = child.receive(ignored, 1, patience);
     const auto end = child.finish();
     if (got == Child::Got::ended && end.outcome == Outcome::forbiddenCall) return "";
-    return fmt::format("the system call {} did not end the probe", word);
+    return fmt::format("trying {} did not end the probe", word);
 }
 
 Finding memory(const Box& box)
@@ -76,7 +76,7 @@ Finding triedAll(const Box& box)
     {
         found = listed(box);
         for (const char* word : {"socket", "ptrace", "kill", "signal", "memfd_create", "mount", "unshare",
-                                 "io_uring_setup", "bpf", "keyctl", "process_vm_readv"})
+                                 "io_uring_setup", "bpf", "keyctl", "process_vm_readv", "code"})
             if (found.empty()) found = forbidden(box, word);
     }
     if (found.empty()) found = memory(box);
