@@ -60,14 +60,14 @@ std::string histogramHtml(std::span<const SubmissionResult> results, double most
     const int highest = std::max(1, *std::max_element(bins.begin(), bins.end()));
     std::string text =
         "<section class=\"card\">\n<h2>How the points are spread</h2>\n<p class=\"dim\">Graded submissions by "
-        "their share of the points.</p>\n<ul class=\"histogram\">\n";
+        "their share of the points, in percent.</p>\n<ul class=\"histogram\">\n";
     for (std::size_t i = 0; i < bins.size(); ++i)
     {
         const double height = 100.0 * bins[i] / highest;
         text +=
             fmt::format("<li><svg viewBox=\"0 0 10 100\" preserveAspectRatio=\"none\" aria-hidden=\"true\"><rect "
                         "class=\"track\" width=\"10\" height=\"100\"/><rect class=\"fill\" y=\"{:.1f}\" width=\"10\" "
-                        "height=\"{:.1f}\"/></svg>{}<span>{}&ndash;{} %</span></li>\n",
+                        "height=\"{:.1f}\"/></svg>{}<span>{}<i>&ndash;{} %</i></span></li>\n",
                         100 - height, height, bins[i], 10 * i, 10 * (i + 1));
     }
     return text + "</ul>\n</section>\n";
@@ -136,7 +136,7 @@ std::string studentTable(std::span<const SubmissionResult> results, double most,
         const bool graded = result.state == State::graded;
         const std::string more = link(links.instructor, result.student, "for the instructor");
         text += fmt::format(
-            "<tr><th scope=\"row\">{}{}</th><td class=\"{}\">{}</td><td class=\"graph\">{}</td><td class=\"n\">{}"
+            "<tr><th scope=\"row\">{}{}</th><td class=\"state {}\">{}</td><td class=\"graph\">{}</td><td class=\"n\">{}"
             "</td><td class=\"n\">{}</td><td>",
             link(links.student, result.student, html(result.student)),
             more.front() == '<' ? "<small>" + more + "</small>" : "", graded ? "" : "bad", name(result.state),
