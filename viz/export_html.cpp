@@ -10,9 +10,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "common/base64.h"
 #include "common/cli.h"
 #include "common/image.h"
-#include "viz/base64.h"
+#include "common/markup.h"
 #include "viz/controller.h"
 #include "viz/html_data.h"
 #include "viz/picture_view.h"
@@ -51,23 +52,6 @@ std::string compact(const std::string& text)
 std::string readTemplate(const std::string& name)
 {
     return readTextFile(projectFile("viz/html/" + name));
-}
-
-std::string escaped(const std::string& text)
-{
-    std::string result;
-    for (const char c : text)
-        if (c == '&')
-            result += "&amp;";
-        else if (c == '<')
-            result += "&lt;";
-        else if (c == '>')
-            result += "&gt;";
-        else if (c == '"')
-            result += "&quot;";
-        else
-            result += c;
-    return result;
 }
 
 /// JSON that may stand in a script element: nothing in it can end the element or start a comment.
@@ -171,7 +155,7 @@ std::string htmlPage(const HtmlPage& page)
     std::string script;
     for (const char* name : scripts) script += compact(readTemplate(name));
     return filled(compact(readTemplate("page.html")),
-                  {{"title", escaped(page.title)},
+                  {{"title", escapedMarkup(page.title)},
                    {"style", paletteCss(Look::dark) + paletteCss(Look::light) + compact(readTemplate("page.css"))},
                    {"script", script},
                    {"data", scriptJson(htmlData(page))},
