@@ -21,8 +21,9 @@ std::vector<OneCase> casesOf(const std::vector<OneCase>& all, const Exercise& ex
 {
     std::vector<OneCase> some;
     for (const auto& one : all)
-        if (std::find(exercise.cases.begin(), exercise.cases.end(), one.group) != exercise.cases.end())
-            some.push_back(one);
+        for (const auto& groups : exercise.cases) // "Cutoff + Tint" are worth points together
+            if ((" + " + groups + " + ").find(std::string(" + ") + one.group + " + ") != std::string::npos)
+                some.push_back(one);
     std::stable_sort(some.begin(), some.end(), [](const auto& a, const auto& b) { return a.kind < b.kind; });
     return some;
 }

@@ -34,8 +34,10 @@ GEOMETRY = ["functions.h", "figures*.*", "svg.*", "program.cpp", "tutorial.cpp",
 CASES = ["check.h", "run_cases.h", "subject.h", "scenes.h", "cases.h", "lesson00_subject.h", "lesson00_cases.*"]
 ENGINE = ["tests/grade/result.*", "tests/grade/candidate.h", "tests/grade/box/*", "tests/grade/wire/*",
           "tests/grade/learn/*.h", "tests/grade/learn/*.cpp", "tests/grade/questions/manifest.*",
-          "tests/grade/questions/mistakes_known.*", "tests/grade/questions/mistakes.h"]
-NOT_ENGINE = re.compile(r"_test\.cpp$|/mistakes_main\.cpp$|\.md$")
+          "tests/grade/questions/mistakes.*"]
+# What needs lessons, mistakes or a sandbox.
+NOT_ENGINE = re.compile(r"_test\.cpp$|/mistakes_main\.cpp$|\.md$|/probe\.|/launch_main|/selftest|/seccomp\.cpp|/reference|"
+                        r"/misbehaving|\.cmake$")
 CASE_FILES = {1: "direct", 2: "mirror", 3: "partial", 4: "sky", 5: "refraction", 6: "fresnel", 7: "caps", 8: "phong"}
 CASE_FUNCTIONS = {1: "directCases", 2: "mirrorCases", 3: "partialCases", 4: "skyCases", 5: "refractionCases",
                   6: "fresnelCases", 7: "capCases", 8: "phongCases"}
@@ -150,6 +152,7 @@ class Handout:
 
     def engine(self, mistakes):
         self.copy(*ENGINE, without=NOT_ENGINE)
+        self.add("tests/grade/box/no_sandbox.cpp", self.template("no_sandbox.cpp.in"))
         self.add("tests/grade/CMakeLists.txt", self.template("grade.cmake"))
         for lesson in self.lessons:
             path = mistakes / f"{lesson:02}.json" if mistakes else None
@@ -186,12 +189,19 @@ class Handout:
 
     def text(self, markdown):
         """Notes and READMEs for somebody who has the exercises and not the lessons."""
-        markdown = re.sub(r"<!-- from \S+ -->\n```cpp\n.*?^```\n", "*(These lines are yours to write.)*\n", markdown,
+        markdown = re.sub(r"<!-- from (?P<path>\S+)/\w+\.h -->\n```cpp\n(?P<code>.*?)^```\n", self.excerpt, markdown,
                           flags=re.M | re.S)
         markdown = markdown.replace("trace.h", "exercise.h").replace("geometry.h", "exercise.h")
         markdown = re.sub(r"\./raytree lesson (0?[0-8])\b", r"./raytree exercise \1", markdown)
         return re.sub(r"^(?:mkdir -p out && )?\./raytree (?:(?!exercise |learn|test).*|.*--make-sky.*)\n", "", markdown,
                       flags=re.M)
+
+    def excerpt(self, match):
+        """Code in the notes stays if it stands in the exercise."""
+        exercise, _ = self.files.get(match["path"] + "/exercise.h", (b"", False))
+        if match["code"] in exercise.decode():
+            return match[0]
+        return "*(These lines are yours to write.)*\n"
 
     def notes(self):
         pages = [next(ROOT.glob(f"slides-notes/{lesson:02}-*.md")) for lesson in self.lessons]
@@ -290,7 +300,8 @@ def write(files, out):
     finally:
         shutil.rmtree(part, ignore_errors=True)
         shutil.rmtree(old, ignore_errors=True)
-        packed_part.unlink(missing_ok=True)
+        if packed_part.is_file():
+            packed_part.unlink()
     return packed
 
 

@@ -22,9 +22,9 @@ namespace fs = std::filesystem;
 constexpr int lastLesson = 8;
 
 /// What known mistakes answer; none if the file is not there.
-std::vector<KnownMistake> knownMistakes(int lesson)
+std::vector<KnownMistake> storedMistakes(int lesson)
 {
-    for (const std::string folder :
+    for (const std::string& folder :
          {projectFile("tests/grade/mistakes"), std::string(RAYTREE_BINARY_DIR) + "/mistakes"})
         if (const auto path = fmt::format("{}/{:02}.json", folder, lesson); fs::exists(path))
             return mistakesFromJson(readTextFile(path));
@@ -34,7 +34,7 @@ std::vector<KnownMistake> knownMistakes(int lesson)
 void nameMistake(Attempt& attempt, const std::string& id, const Candidate& candidate, int lesson)
 {
     if (attempt.outcome != Outcome::wrong) return;
-    const auto known = knownMistakes(lesson);
+    const auto known = storedMistakes(lesson);
     if (known.empty()) return;
     const auto evidence = ownCasesEvidence(candidate, lesson);
     if (const auto found = evidence.find(id); found != evidence.end())
