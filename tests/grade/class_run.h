@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/grade/grade_one.h"
+#include "tests/grade/report/results_json.h"
 
 namespace rt::grade
 {
@@ -24,6 +25,7 @@ struct ClassSetting
     int jobs = 1;
     bool resume = false; ///< results whose key has not changed are kept
     Shard shard;
+    HiddenTests hidden = HiddenTests::afterPublished;
 };
 
 /// One more submission is done.
@@ -41,18 +43,10 @@ struct ClassRun
     bool interrupted = false, graderErrors = false;
 };
 
-/// Grades the submissions and writes for each out/results/NAME/results.json and report.html and out/instructor/NAME.html,
-/// each whole or not at all. A submission that makes the grader itself fail becomes State::graderError and stops nobody.
+/// Grades the submissions and writes the reports of each (report/files.h). A submission that makes the grader itself fail becomes State::graderError and stops nobody.
 /// Calls `report` from any thread, but one at a time. When `stop` becomes true the submissions in work are given up:
 /// nothing of them is written. Throws std::runtime_error with one sentence if nothing can be graded at all.
 ClassRun gradeClass(const std::vector<Submission>& submissions, const ClassSetting& setting,
                     const std::atomic<bool>& stop, const std::function<void(const Progress&)>& report);
-
-/// Writes gradebook.csv, junit.xml and class.html of these results into the folder.
-void writeClass(const std::vector<SubmissionResult>& results, const std::string& out);
-
-/// A name for files that stands for the student's: letters, digits, dot, dash and underscore of it; if anything else had to
-/// go, a few digits of its hash keep it apart from others.
-std::string fileNameOf(const std::string& student);
 
 } // namespace rt::grade

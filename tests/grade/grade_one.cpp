@@ -23,6 +23,14 @@ double secondsSince(Clock::time_point start)
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+/// Lengths stand before texts: no two lists run together to the same bytes.
+std::string hashOf(const std::vector<std::string>& parts)
+{
+    std::string all;
+    for (const auto& part : parts) all += fmt::format("{}:{}", part.size(), part);
+    return sha256Hex(all);
+}
+
 /// A wrong answer that another content of unset memory could explain: nothing crashed, nothing is missing.
 bool mayBeUninitialised(const Answers& answers)
 {
@@ -36,15 +44,23 @@ bool mayBeUninitialised(const Answers& answers)
 
 } // namespace
 
+std::string graderHash()
+{
+    std::string all;
+    for (const auto& file : {std::string("/proc/self/exe"), kitFolder() + "/runner.o"})
+        all += sha256Hex(readTextFile(file));
+    return sha256Hex(all);
+}
+
+std::string graderKey(const Setting& setting)
+{
+    return hashOf({setting.grader, std::to_string(setting.lesson), setting.secret.course, setting.secret.term,
+                   name(setting.sandbox), fmt::format("{}", setting.limits.cpuSeconds)});
+}
+
 std::string keyOf(const Setting& setting, const Taken& taken)
 {
-    // Lengths before texts: no two inputs run together to the same bytes.
-    std::string all;
-    for (const auto& part : {setting.grader, std::to_string(setting.lesson), setting.secret.course, setting.secret.term,
-                             std::string(name(setting.sandbox)), fmt::format("{}", setting.limits.cpuSeconds),
-                             std::string(name(taken.state)), taken.reason, taken.text})
-        all += fmt::format("{}:{}", part.size(), part);
-    return sha256Hex(all);
+    return hashOf({graderKey(setting), name(taken.state), taken.reason, taken.text});
 }
 
 SubmissionResult gradeOne(const Submission& submission, const Taken& taken, const Setting& setting, int worker,
@@ -55,6 +71,7 @@ SubmissionResult gradeOne(const Submission& submission, const Taken& taken, cons
     result.student = submission.student;
     result.lesson = setting.lesson;
     result.key = keyOf(setting, taken);
+    result.grader = graderKey(setting);
     result.sandbox = name(setting.sandbox);
     result.state = taken.state;
     result.reason = taken.reason;
@@ -74,18 +91,20 @@ SubmissionResult gradeOne(const Submission& submission, const Taken& taken, cons
             result.seconds = secondsSince(start);
             return result;
         }
+        std::vector<Remote> remotes;
         const auto ask = [&](const std::string& program, const AskOptions& options) {
             return gradeCandidate(
                 setting.lesson,
                 [&] {
-                    auto [candidate, remote] = startRemote(box, program, setting.lesson, setting.limits);
-                    return candidate;
+                    remotes.emplace_back(box, program, setting.lesson, setting.limits);
+                    return remotes.back().candidate();
                 },
                 setting.secret, options);
         };
         AskOptions options;
         options.stop = &stop;
         auto answers = ask(compiled.program, options);
+        if (!remotes.empty()) result.studentText = remotes.front().text();
         if (mayBeUninitialised(answers))
         {
             const auto zero = compileSubmission(box, setting.lesson, taken.text, folder, Fill::zero);

@@ -24,6 +24,9 @@ struct Setting
 /// What decides the result: SHA-256 over the submission's bytes, the grader, the lesson and the secret, in hex.
 std::string keyOf(const Setting& setting, const Taken& taken);
 
+/// The same without the submission.
+std::string graderKey(const Setting& setting);
+
 /// SHA-256 over this program's file and the kit that submissions are compiled with, in hex.
 std::string graderHash();
 

@@ -65,7 +65,6 @@ enum class State
     refused,     ///< its package is not acceptable
     notCompiled, ///< the compiler refuses it, or needed too much
     graderError, ///< something of ours failed; not the student's fault
-    graderError, ///< something of ours failed; not the student's fault
 };
 
 struct SubmissionResult
