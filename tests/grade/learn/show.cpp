@@ -130,7 +130,8 @@ std::string progressList(const Session& session, const Look& look)
 std::string exerciseText(const Session& session, const Exercise& exercise, const Look& look)
 {
     const auto file = session.fileOf(exercise.lesson);
-    const int line = todoLine(readTextFile(file), exercise.id);
+    const bool exists = std::filesystem::exists(file); // an editor may be about to write it
+    const int line = exists ? todoLine(readTextFile(file), exercise.id) : 0;
     return fmt::format("{} ({:g} points)\nSlide: {}\n{}\n", paint(exercise.id + ", " + exercise.title, bold, look),
                        exercise.points, exercise.slide,
                        line ? fmt::format("{}:{}: the TODO", shortened(file), line)
