@@ -94,7 +94,7 @@ std::string bar(double share)
 
 std::string percentText(double points, double most)
 {
-    return most > 0 ? fmt::format("{:.0f} %", 100 * points / most) : "";
+    return most > 0 ? fmt::format("{:.0f}&nbsp;%", 100 * points / most) : "";
 }
 
 std::string figures(const PictureTriple& all)

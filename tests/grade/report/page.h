@@ -22,7 +22,7 @@ std::string htmlBlock(std::string_view text, const std::string& label, const cha
 /// A bar that is filled to `share`, from 0 to 1. The number stands beside it: the bar itself is decoration.
 std::string bar(double share);
 
-/// "55 %"; "" if most is 0.
+/// "55 %" as HTML; "" if most is 0.
 std::string percentText(double points, double most);
 
 /// What should be seen, what is seen and the difference, side by side, with a ring around the worst pixel.

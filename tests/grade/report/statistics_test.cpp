@@ -45,11 +45,12 @@ TEST(Histogram, HasFullMarksInTheLastBinAndExactTenthsInTheirOwn)
 {
     std::vector<SubmissionResult> results = {samples::full("a"), samples::missing("b"), samples::full("c")};
     auto& third = results[2].classes;
-    third.resize(3);
-    for (std::size_t i = 0; i < 3; ++i) third[i].points = 0.1; // 0.1 + 0.1 + 0.1 of 1: at least three tenths
-    auto bins = histogram(results, 1.0);
+    third.resize(2);
+    third[0].points = 0.7;
+    third[1].points = 0.1; // together eight tenths, which the sum of the two doubles is just below
+    const auto bins = histogram(results, 1.0);
     EXPECT_EQ(bins[9], 1);
-    EXPECT_EQ(bins[3], 1);
+    EXPECT_EQ(bins[8], 1);
     EXPECT_EQ(histogram(results, 0), (std::array<int, 10>{})) << "of nothing there is no share";
 }
 
