@@ -143,6 +143,12 @@ void Style::OnKeyPress()
     window->key(key ? key : "", this->Interactor->GetShiftKey() != 0, x, y);
 }
 
+void Style::OnKeyRelease()
+{
+    // Otherwise it would be said of all that the mouse does next.
+    this->Interactor->SetKeySym(nullptr);
+}
+
 void Style::OnTimer()
 {
     window->tick();

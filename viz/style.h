@@ -26,7 +26,7 @@ public:
     void OnMouseWheelForward() override;
     void OnMouseWheelBackward() override;
     void OnKeyPress() override;
-    void OnKeyRelease() override {}
+    void OnKeyRelease() override;
     void OnKeyDown() override {}
     void OnKeyUp() override {}
     void OnChar() override {}

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -109,9 +108,9 @@ namespace
 {
 
 /// A recording must not depend on how fast somebody is, nor end the program that plays it: without timers and key q.
-void tidyRecording(const std::string& file)
+std::string tidied(const std::string& recording)
 {
-    std::istringstream lines(readTextFile(file));
+    std::istringstream lines(recording);
     std::string kept;
     for (std::string line; std::getline(lines, line);)
     {
@@ -120,14 +119,39 @@ void tidyRecording(const std::string& file)
         if (isKey && (line.ends_with(" q") || line.ends_with(" Q"))) continue;
         kept += line + "\n";
     }
-    writeTextFile(file, kept);
+    return kept;
+}
+
+/// The recorder skips what it does not understand: a file of anything else would seem to have been played.
+void checkRecording(const std::string& file)
+{
+    const auto fail = [&](std::size_t line, const std::string& expected) {
+        throw std::runtime_error(fmt::format("{}:{}: expected {}", file, line, expected));
+    };
+    std::istringstream lines(readTextFile(file));
+    std::size_t number = 1;
+    std::string line;
+    if (!std::getline(lines, line) || !line.starts_with("# StreamVersion"))
+        fail(number, "\"# StreamVersion\", with which a recording of --record begins");
+    while (std::getline(lines, line))
+    {
+        ++number;
+        std::istringstream words(line);
+        std::string event, keySym;
+        int x = 0, y = 0, modifiers = 0, keyCode = 0, repeats = 0;
+        words >> event >> x >> y >> modifiers >> keyCode >> repeats >> keySym;
+        if (!words || vtkCommand::GetEventIdFromString(event.c_str()) == vtkCommand::NoEvent)
+            fail(number, "an event of VTK, its place, modifiers, key code, repeats and the key's name");
+    }
 }
 
 } // namespace
 
 void Window::run(const std::string& record)
 {
-    vtkNew<vtkInteractorEventRecorder> recorder;
+    const std::string part = record + ".part";
+    if (!record.empty()) writeTextFile(part, ""); // or says now why it cannot be written
+    auto recorder = vtkSmartPointer<vtkInteractorEventRecorder>::New();
     interactor->Initialize();
     window->Render();
     interactor->CreateRepeatingTimer(tickTime);
@@ -135,21 +159,27 @@ void Window::run(const std::string& record)
     {
         recorder->SetInteractor(interactor);
         recorder->KeyPressActivationOff(); // otherwise key i would turn it off
-        recorder->SetFileName(record.c_str());
+        recorder->SetFileName(part.c_str());
         recorder->EnabledOn();
         recorder->Record();
+        // It goes off at key e, which exports here: everything but that key is recorded.
+        vtkNew<vtkCallbackCommand> goOn;
+        goOn->SetCallback([](vtkObject* caller, unsigned long, void*, void*) {
+            static_cast<vtkInteractorEventRecorder*>(caller)->EnabledOn();
+        });
+        recorder->AddObserver(vtkCommand::DisableEvent, goOn);
     }
     interactor->Start();
     if (record.empty()) return;
-    recorder->Stop();
-    recorder->EnabledOff(); // closes the file
-    tidyRecording(record);
+    recorder->RemoveObservers(vtkCommand::DisableEvent);
+    recorder = nullptr; // closes the file
+    writeTextFile(record, tidied(readTextFile(part)));
+    std::filesystem::remove(part);
 }
 
 void Window::replay(const std::string& file)
 {
-    if (!std::ifstream(file))
-        throw std::runtime_error(file + ": expected a file of recorded events, it cannot be read");
+    checkRecording(file);
     vtkNew<vtkInteractorEventRecorder> recorder;
     interactor->Initialize();
     window->Render();
