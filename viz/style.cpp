@@ -137,6 +137,8 @@ void Style::OnMouseWheelBackward()
 
 void Style::OnKeyPress()
 {
+    // Who copies with Ctrl+C does not mean key c.
+    if (this->Interactor->GetControlKey() || this->Interactor->GetAltKey()) return;
     int x = 0, y = 0;
     this->Interactor->GetEventPosition(x, y);
     const char* key = this->Interactor->GetKeySym();

@@ -131,6 +131,19 @@ class Viewer(unittest.TestCase):
         self.write("file", "")
         self.refused(6, "--export", "file")
 
+    def test_whatever_cannot_be_written_is_refused_before_anything_is_traced(self):
+        self.write("broken.toml", "this is no scene")  # what would be said, were the scene read first
+        (self.here / "folder.png").mkdir()
+        for path in ("missing/file.png", "folder.png", "broken.toml/file.png"):
+            for option in ("--state", "--screenshot", "--record"):
+                with self.subTest(f"{option} {path}"):
+                    script = ["--script", "next"] if option == "--state" else []
+                    self.assertTrue(self.refused("broken.toml", option, path, *script).startswith(f"viewer: {path}: "))
+
+    def test_only_a_window_can_be_recorded(self):
+        for words in (("--script", "next"), ("--screenshot", "a.png"), ("--export", "out")):
+            self.assertIn("--record", self.refused(6, "--record", "mine.log", *words))
+
     # Ray trees from files
 
     def test_an_exported_tree_is_shown_again(self):
