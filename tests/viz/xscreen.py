@@ -44,6 +44,7 @@ class Screen:
             ["Xvfb", "-displayfd", str(writes), "-screen", "0", f"{width}x{height}x24", "-fbdir", self.folder.name, "-nolisten",
              "tcp", "-noreset"], pass_fds=[writes], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(writes)
+        self.processes = [self.server]  # whose work is seen here
         number = b""
         while not number.endswith(b"\n"):
             if not select.select([reads], [], [], PATIENCE)[0]:
@@ -89,15 +90,37 @@ class Screen:
         subprocess.run(["xdotool", *map(str, words)], env=self.env, check=True, timeout=PATIENCE, stdout=subprocess.DEVNULL)
 
 
+def at_work(process):
+    """Of a process, whether its first thread, and whether any other one, has something to do: it has a processor or waits for one."""
+    first, others = False, False
+    for thread in pathlib.Path(f"/proc/{process.pid}/task").glob("*"):
+        try:
+            # The name before the state may contain anything, but ends with the last parenthesis.
+            works = (thread / "stat").read_text().rpartition(")")[2].split()[0] in "RD"
+        except (FileNotFoundError, ProcessLookupError):
+            works = True  # it has just ended
+        if thread.name == str(process.pid):
+            first = works
+        else:
+            others = others or works
+    return first, others
+
+
 def steady(screen, box):
-    """The picture in a rectangle, once it has not changed for a while."""
-    last, since = screen.part(box), time.monotonic()
+    """The picture in a rectangle, once it does not change and neither the server nor the viewer has anything left to do: on a busy
+    machine that takes longer. What other threads have finished the viewer draws within its 80 ms, for which it wakes up."""
+    last, since, calm = screen.part(box), time.monotonic(), 0
     end = since + PATIENCE
-    while time.monotonic() - since < 0.3 and time.monotonic() < end:
-        time.sleep(0.03)
+    while calm < 3 or time.monotonic() - since < 0.12:
+        if time.monotonic() > end:
+            raise AssertionError(f"waited {PATIENCE} s for a picture at rest")
+        time.sleep(0.01)
+        work = [at_work(process) for process in screen.processes]  # before the picture: whoever is done has drawn it
         now = screen.part(box)
-        if now != last:
-            last, since = now, time.monotonic()
+        if now != last or any(others for _, others in work):
+            last, since, calm = now, time.monotonic(), 0
+        elif not any(first for first, _ in work):
+            calm += 1
     return last
 
 
@@ -114,6 +137,7 @@ class Viewer:
         with open(self.folder / "stderr.txt", "wb") as errors:
             self.process = subprocess.Popen([program, *map(str, words), "--state", self.file], env=screen.env, cwd=folder,
                                             stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=errors)
+        screen.processes.append(self.process)
         try:
             # Before its first frame the window does not listen.
             wait_for(lambda: self.ended() or any(screen.part((0, 4, screen.width, 1)).replace(b"\0", b"")), "the window's picture")
@@ -159,3 +183,5 @@ class Viewer:
         if not self.ended():
             self.process.kill()
         self.process.wait()
+        if self.process in self.screen.processes:
+            self.screen.processes.remove(self.process)
