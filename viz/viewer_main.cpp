@@ -16,6 +16,7 @@
 #include "viz/choose_source.h"
 #include "viz/display.h"
 #include "viz/export.h"
+#include "viz/recording.h"
 #include "viz/script.h"
 #include "viz/state.h"
 #include "viz/tracer_source.h"
@@ -233,6 +234,7 @@ int view(const ViewerOptions& options, char** argv)
     if (!options.exportTo.empty()) checkExport(options.exportTo);
     for (const auto& file : {options.state, options.record})
         if (!file.empty()) checkFolder(file);
+    if (!options.play.empty()) checkRecording(options.play);
     const auto script = options.script.value_or("");
     const bool isFile = script.find_first_of(";\n") == std::string::npos && std::filesystem::is_regular_file(script);
     const auto commands = parseScript(isFile ? readTextFile(script) : script);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <sstream>
 
 #include <fmt/format.h>
 #include <vtkCallbackCommand.h>
@@ -10,6 +9,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include "common/cli.h"
+#include "viz/recording.h"
 
 namespace rt::viz
 {
@@ -104,49 +104,6 @@ void Window::resize(int newWidth, int newHeight)
     if (interactor) window->Render();
 }
 
-namespace
-{
-
-/// A recording must not depend on how fast somebody is, nor end the program that plays it: without timers and key q.
-std::string tidied(const std::string& recording)
-{
-    std::istringstream lines(recording);
-    std::string kept;
-    for (std::string line; std::getline(lines, line);)
-    {
-        const bool isKey = line.starts_with("Key") || line.starts_with("Char");
-        if (line.starts_with("TimerEvent") || line.starts_with("RenderEvent")) continue;
-        if (isKey && (line.ends_with(" q") || line.ends_with(" Q"))) continue;
-        kept += line + "\n";
-    }
-    return kept;
-}
-
-/// The recorder skips what it does not understand: a file of anything else would seem to have been played.
-void checkRecording(const std::string& file)
-{
-    const auto fail = [&](std::size_t line, const std::string& expected) {
-        throw std::runtime_error(fmt::format("{}:{}: expected {}", file, line, expected));
-    };
-    std::istringstream lines(readTextFile(file));
-    std::size_t number = 1;
-    std::string line;
-    if (!std::getline(lines, line) || !line.starts_with("# StreamVersion"))
-        fail(number, "\"# StreamVersion\", with which a recording of --record begins");
-    while (std::getline(lines, line))
-    {
-        ++number;
-        std::istringstream words(line);
-        std::string event, keySym;
-        int x = 0, y = 0, modifiers = 0, keyCode = 0, repeats = 0;
-        words >> event >> x >> y >> modifiers >> keyCode >> repeats >> keySym;
-        if (!words || vtkCommand::GetEventIdFromString(event.c_str()) == vtkCommand::NoEvent)
-            fail(number, "an event of VTK, its place, modifiers, key code, repeats and the key's name");
-    }
-}
-
-} // namespace
-
 void Window::run(const std::string& record)
 {
     const std::string part = record + ".part";
@@ -173,13 +130,12 @@ void Window::run(const std::string& record)
     if (record.empty()) return;
     recorder->RemoveObservers(vtkCommand::DisableEvent);
     recorder = nullptr; // closes the file
-    writeTextFile(record, tidied(readTextFile(part)));
+    writeTextFile(record, tidyRecording(readTextFile(part)));
     std::filesystem::remove(part);
 }
 
 void Window::replay(const std::string& file)
 {
-    checkRecording(file);
     vtkNew<vtkInteractorEventRecorder> recorder;
     interactor->Initialize();
     window->Render();
