@@ -80,6 +80,15 @@ void writePixels(const Image& image, const std::string& path, OIIO::Filesystem::
     if (!good || !out->close()) throw std::runtime_error(out->geterror());
 }
 
+} // namespace
+
+unsigned char toSrgb8(double linear)
+{
+    if (!(linear > 0)) return 0;
+    if (linear >= 1) return 255;
+    return static_cast<unsigned char>(OIIO::linear_to_sRGB(float(linear)) * 255.0f + 0.5f);
+}
+
 void checkFolder(const std::string& path)
 {
     const auto folder = fs::absolute(path).parent_path();
@@ -88,15 +97,6 @@ void checkFolder(const std::string& path)
     if (access(folder.c_str(), W_OK) != 0)
         throw std::runtime_error(fmt::format("{}: the folder {} is not writable", path, folder.string()));
     if (fs::is_directory(path)) throw std::runtime_error(fmt::format("{}: is a folder, expected a file", path));
-}
-
-} // namespace
-
-unsigned char toSrgb8(double linear)
-{
-    if (!(linear > 0)) return 0;
-    if (linear >= 1) return 255;
-    return static_cast<unsigned char>(OIIO::linear_to_sRGB(float(linear)) * 255.0f + 0.5f);
 }
 
 void checkWritable(const std::string& path)

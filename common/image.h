@@ -42,6 +42,10 @@ Image readImage(const std::string& path);
 /// The 8-bit sRGB value of a linear channel, clamped to [0, 1], rounded to nearest; NaN gives 0.
 unsigned char toSrgb8(double linear);
 
+/// Throws std::runtime_error with one sentence if no file of any kind can be written there: its folder is missing or not
+/// writable, or the path is itself a folder. Call it before long work.
+void checkFolder(const std::string& path);
+
 /// Writes text whole or not at all (a temporary file in the same folder, then a rename). Throws std::runtime_error.
 void writeTextFile(const std::string& path, const std::string& text);
 
