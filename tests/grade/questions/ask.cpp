@@ -47,7 +47,11 @@ struct Asking
 
 ClassResult resultOf(const AskedClass& asked, const ClassRun& first, const ClassRun* second)
 {
-    ClassResult result{.exercise = asked.exercise, .name = asked.name, .hidden = asked.hidden, .most = asked.most};
+    ClassResult result;
+    result.exercise = asked.exercise;
+    result.name = asked.name;
+    result.hidden = asked.hidden;
+    result.most = asked.most;
     result.cases = first.cases;
     result.passed = second ? std::min(first.passed, second->passed) : first.passed;
     result.points = asked.most * (second ? std::min(first.credit, second->credit) : first.credit);

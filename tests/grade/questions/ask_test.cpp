@@ -207,7 +207,9 @@ Candidate constant(double x)
     c.tracer.color = [x](auto&&...) { return V(x); };
     c.tracer.tree = [](const SceneDescription&, const V& O, const V& D) {
         RayTree tree;
-        tree.nodes.push_back({.origin = O, .direction = D});
+        tree.nodes.emplace_back();
+        tree.nodes[0].origin = O;
+        tree.nodes[0].direction = D;
         return tree;
     };
     c.tracer.picture = [x](const SceneDescription& scene) {
@@ -215,7 +217,8 @@ Candidate constant(double x)
         for (auto& pixel : image.pixels) pixel = V(x);
         return image;
     };
-    c.tracer.toSphere = c.tracer.toPlane = [x](auto&&...) { return x == 0 ? -1 : x; };
+    c.tracer.toSphere = [x](auto&&...) { return x == 0 ? -1 : x; };
+    c.tracer.toPlane = [x](auto&&...) { return x == 0 ? -1 : x; };
     c.tracer.reflect = [x](const V& D, const V& N) { return x == 0 ? D : x == 1 ? -D : N; };
     c.tracer.latLong = [x](const V&) { return std::array{x, x}; };
     c.tracer.refract = [x](const V& D, auto&&...) { return x == 0 ? std::optional<V>() : D; };
@@ -240,7 +243,7 @@ Candidate constant(double x)
 
 TEST_P(Lesson, GivesNothingForConstants)
 {
-    for (const double x : {0.0, 1.0, 0.5, 0.04, NAN})
+    for (const double x : {0.0, 1.0, 0.5, 0.04, double(NAN)})
         for (const auto& one : grade(GetParam(), constant(x)).classes)
             EXPECT_EQ(one.points, 0) << x << ": " << describe(one);
 }
@@ -291,7 +294,10 @@ TEST_P(Lesson, GivesNothingForPicturesThatAreNone)
 TEST(Pictures, WithOneValueThatIsNotFiniteGetNinetyPercent)
 {
     for (const auto& one : spoilt(2, [](Image& image) { image.at(0, 0).x = INFINITY; }).classes)
-        if (isPicture(one)) EXPECT_NEAR(one.points, 0.9 * one.most, 1e-12);
+    {
+        if (!isPicture(one)) continue;
+        EXPECT_NEAR(one.points, 0.9 * one.most, 1e-12);
+    }
 }
 
 TEST(Pictures, AreCreditedLinearlyBetween80And99AndAHalfPercent)
@@ -443,16 +449,19 @@ TEST(TwoRuns, CatchDeathsForEachQuestionAndKeepTheWorstOne)
         return candidate;
     });
     for (const auto& one : answers.classes)
-        if (one.name == "equal and similar media")
+    {
+        if (one.name == "grazing")
         {
-            EXPECT_EQ(one.outcome, Outcome::timedOut);
-            EXPECT_EQ(one.passed, 20);
-            EXPECT_EQ(one.points, 0);
-            EXPECT_EQ(one.example.has_value(), !one.hidden);
-            if (one.example) EXPECT_EQ(one.example->got, "it ran for 10 seconds");
-        }
-        else if (one.name == "grazing")
             EXPECT_EQ(one.outcome, Outcome::passed) << describe(one);
+        }
+        if (one.name != "equal and similar media" || one.exercise != "05-refract") continue;
+        EXPECT_EQ(one.outcome, Outcome::timedOut);
+        EXPECT_EQ(one.passed, 20);
+        EXPECT_EQ(one.points, 0);
+        ASSERT_EQ(one.example.has_value(), !one.hidden);
+        if (one.hidden) continue;
+        EXPECT_EQ(one.example->got, "it ran for 10 seconds");
+    }
 }
 
 TEST(TwoRuns, CanBeInterrupted)
