@@ -10,6 +10,7 @@
 
 #include "common/todo.h"
 #include "tests/grade/questions/manifest.h"
+#include "tests/grade/questions/question.h"
 #include "tests/lessons/cases.h"
 
 namespace rt::grade
@@ -113,10 +114,10 @@ std::map<std::string, Evidence> ownCasesEvidence(const Candidate& candidate, int
                 return false;
             };
             for (const auto& which : cases::ownCases(lesson))
-                if (belongs(which.group)) addFailures(evidence, which, candidate.tracer);
+                if (belongs(which.group)) addFailures(evidence, which, inFloat(candidate.tracer));
             if (lesson == 0)
                 for (const auto& which : cases::geometryCases())
-                    if (belongs(which.group)) addFailures(evidence, which, candidate.geometry);
+                    if (belongs(which.group)) addFailures(evidence, which, inFloat(candidate.geometry));
             if (!evidence.empty()) all[exercise.id] = evidence;
         }
         catch (const NotAttempted&)
