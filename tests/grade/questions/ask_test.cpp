@@ -486,6 +486,18 @@ TEST(TwoRuns, ReportTheirProgress)
     EXPECT_DOUBLE_EQ(shares.back(), 1);
 }
 
+TEST(LikelyMistakes, AreNotMadeUp)
+{
+    auto odd = solved(5);
+    odd.tracer.refract = [honest = odd.tracer.refract](const V& D, const V& N, double n1, double n2) {
+        const auto T = honest(D, N, n1, n2);
+        return T ? std::optional<V>(*T + 0.1 * N) : T;
+    };
+    odd.tracer.cosSquared2 = [](double cos1, double, double) { return cos1 * cos1 * cos1; };
+    for (const auto& one : grade(5, odd, secret, true).classes) EXPECT_EQ(one.mistake, "") << describe(one);
+    for (const auto& one : grade(2, constant(0.25), secret, true).classes) EXPECT_EQ(one.mistake, "") << describe(one);
+}
+
 TEST(Uninitialised, IsSaidOfWhatIsWrongWithAPatternAndRightWithZero)
 {
     auto pattern = solved(5);
