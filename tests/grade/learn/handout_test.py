@@ -78,8 +78,8 @@ class Contents(Temporary):
         names = set()
         for name, text, _ in texts(self.folder / "all"):
             names.add(str(name))
-            self.assertNotIn("// SOLUTION", text, name)
-            self.assertNotRegex(text, r"^ *// END$", name)
+            self.assertNotRegex(text, r"(?m)^ *// SOLUTION \S", name)
+            self.assertNotRegex(text, r"(?m)^ *// END$", name)
             self.assertNotIn("make_exercises.py --solved", text, name)
             for place in (str(ROOT), str(BUILD), str(self.folder), "/home/"):
                 self.assertNotIn(place, text, name)
