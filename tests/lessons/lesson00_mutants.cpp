@@ -63,12 +63,12 @@ std::vector<GeometryMutant> planeMutants()
         slope("a vertical line gets slope 0",
               [](V2 P, V2 Q) {
                   if (P.x == Q.x) return Slope({0, P.y});
-                  return G::slopeIntercept(P, Q);
+                  return functionsOf<G>().slopeIntercept(P, Q);
               }),
         slope("a horizontal line gets none",
               [](V2 P, V2 Q) {
                   if (P.y == Q.y) return Slope();
-                  return G::slopeIntercept(P, Q);
+                  return functionsOf<G>().slopeIntercept(P, Q);
               }),
         slope("there never is a slope", [](V2, V2) { return Slope(); }),
         slope("a constant",

@@ -159,6 +159,7 @@ class Handout:
             raise Refused("tests/grade/box/make_kit.py: there is no line STUBS = {...}")
         self.add("tests/grade/box/make_kit.py", kit)
         self.add("tests/grade/box/no_sandbox.cpp", self.template("no_sandbox.cpp.in"))
+        self.add("tests/grade/wire/function_names.cpp", self.template("function_names.cpp.in"))
         self.add("tests/grade/CMakeLists.txt", self.template("grade.cmake.in"))
         for lesson in self.lessons:
             path = mistakes / f"{lesson:02}.json" if mistakes else None
