@@ -10,12 +10,6 @@ namespace
 using namespace lesson00;
 using G = Geometry<double>;
 
-const Functions& correct()
-{
-    static const Functions functions = functionsOf<G>();
-    return functions;
-}
-
 std::vector<GeometryMutant> planeMutants()
 {
     const auto slope = [](const char* mistake, std::optional<SlopeIntercept> (*wrong)(V2, V2)) {
@@ -69,12 +63,12 @@ std::vector<GeometryMutant> planeMutants()
         slope("a vertical line gets slope 0",
               [](V2 P, V2 Q) {
                   if (P.x == Q.x) return Slope({0, P.y});
-                  return correct().slopeIntercept(P, Q);
+                  return functionsOf<G>().slopeIntercept(P, Q);
               }),
         slope("a horizontal line gets none",
               [](V2 P, V2 Q) {
                   if (P.y == Q.y) return Slope();
-                  return correct().slopeIntercept(P, Q);
+                  return functionsOf<G>().slopeIntercept(P, Q);
               }),
         slope("there never is a slope", [](V2, V2) { return Slope(); }),
         slope("a constant",

@@ -74,6 +74,10 @@ void judge(Attempt& attempt, const OneCase& which, const Subject& subject, const
         fail(died.outcome, {"the case ran", "to its end", died.what(), std::nullopt});
         return;
     }
+    catch (const GraderError&)
+    {
+        throw;
+    }
     catch (const std::exception& error)
     {
         check.failures.push_back({"the case ran", "to its end", error.what()});

@@ -187,6 +187,7 @@ TEST_F(Learning, KeepsControlCharactersOfForeignTextOut)
     LessonRun run{true,
                   "",
                   {},
+                  {},
                   {{"01-a",
                     {.outcome = Outcome::wrong,
                      .cases = 1,

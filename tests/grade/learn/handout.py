@@ -148,12 +148,19 @@ class Handout:
             self.add(f"tests/lessons/exercise{lesson:02}_test.cpp",
                      self.template(name, NN=f"{lesson:02}", N=str(lesson), FOLDER=folder_of(lesson).name))
         self.copy("tests/grade/learn/exercise_cases.h")
-        self.add("tests/CMakeLists.txt", self.template("tests.cmake", LESSONS=self.numbers()))
+        self.add("tests/CMakeLists.txt", self.template("tests.cmake.in", LESSONS=self.numbers()))
 
     def engine(self, mistakes):
         self.copy(*ENGINE, without=NOT_ENGINE)
+        # Nothing is graded here, so one kit serves all: the robust formulas may be in it.
+        kit = self.files["tests/grade/box/make_kit.py"][0].decode()
+        kit, found = re.subn(r"^STUBS = \{.*\}$", 'STUBS = {"01": [], "04": [], "rest": []}', kit, flags=re.M)
+        if found != 1:
+            raise Refused("tests/grade/box/make_kit.py: there is no line STUBS = {...}")
+        self.add("tests/grade/box/make_kit.py", kit)
         self.add("tests/grade/box/no_sandbox.cpp", self.template("no_sandbox.cpp.in"))
-        self.add("tests/grade/CMakeLists.txt", self.template("grade.cmake"))
+        self.add("tests/grade/wire/function_names.cpp", self.template("function_names.cpp.in"))
+        self.add("tests/grade/CMakeLists.txt", self.template("grade.cmake.in"))
         for lesson in self.lessons:
             path = mistakes / f"{lesson:02}.json" if mistakes else None
             if path and path.is_file():
@@ -168,7 +175,7 @@ class Handout:
                  head.replace(" `id` is the mark in the sources: // SOLUTION id ... // END.", "")
                  + "".join(block for block in blocks if re.search(r'^id = "(.*)"', block, re.M)[1] in ids))
         self.add("lessons/CMakeLists.txt", self.template(
-            "lessons.cmake", LESSONS=" ".join(folder_of(n).name for n in self.lessons if n)))
+            "lessons.cmake.in", LESSONS=" ".join(folder_of(n).name for n in self.lessons if n)))
         presets = json.loads(source("CMakePresets.json"))
         for kind in ("configurePresets", "buildPresets", "testPresets"):
             presets[kind] = [preset for preset in presets[kind] if preset["name"] in ("base", "student")]
@@ -176,12 +183,12 @@ class Handout:
         door = source("raytree")
         functions = [re.search(rf"^{name}\(\) {{\n.*?^}}\n", door, re.M | re.S)[0] for name in ("fail", "packages", "number")]
         core = re.search(r'^core_packages="(.*?)"', door, re.M | re.S)[1]
-        self.add("raytree", self.template("raytree", CORE=core, FUNCTIONS="\n".join(functions),
+        self.add("raytree", self.template("raytree.in", CORE=core, FUNCTIONS="\n".join(functions),
                                           LESSONS=self.numbers()), True)
         table = "".join(f"| [{folder_of(n).name}](lessons/{folder_of(n).name}/README.md) | "
                         f"{sum(e['points'] for e in chosen if e['lesson'] == n)} | `./raytree learn {n}` |\n"
                         for n in self.lessons)
-        self.add("README.md", self.template("README.md", TABLE=table, FIRST=str(self.lessons[0])))
+        self.add("README.md", self.template("README.md.in", TABLE=table, FIRST=str(self.lessons[0])))
         self.add(".gitignore", "/build/\n/out/\n*.part\n/.raytree-learn.json*\n/exercise[0-9][0-9].png\n")
 
     def numbers(self):

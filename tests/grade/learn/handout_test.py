@@ -78,8 +78,8 @@ class Contents(Temporary):
         names = set()
         for name, text, _ in texts(self.folder / "all"):
             names.add(str(name))
-            self.assertNotIn("// SOLUTION", text, name)
-            self.assertNotRegex(text, r"^ *// END$", name)
+            self.assertNotRegex(text, r"(?m)^ *// SOLUTION \S", name)
+            self.assertNotRegex(text, r"(?m)^ *// END$", name)
             self.assertNotIn("make_exercises.py --solved", text, name)
             for place in (str(ROOT), str(BUILD), str(self.folder), "/home/"):
                 self.assertNotIn(place, text, name)
@@ -199,12 +199,10 @@ class Working(unittest.TestCase):
         self.assertEqual(result.returncode, expect, f"{command}:\n{result.stdout[-3000:]}{result.stderr[-3000:]}")
         return result.stdout + result.stderr
 
-    def solve(self, change=lambda text: text):
-        subprocess.run([sys.executable, "-B", str(ROOT / "lessons/make_exercises.py"), "--solved",
-                        str(BUILD / "handout_test/solved")], check=True)
-        text = (BUILD / "handout_test/solved/solved02.h").read_text().replace("solved02", "exercise02")
+    def solve(self, lesson=2, change=lambda text: text):
+        text = (BUILD / f"handout_test/solved/solved{lesson:02}.h").read_text().replace("solved", "exercise")
         changed = change(text)
-        (self.handout / "lessons/02_mirrors/exercise.h").write_text(changed)
+        next(self.handout.glob(f"lessons/{lesson:02}_*/exercise.h")).write_text(changed)
         return changed != text
 
     def cases(self, expect):
@@ -215,6 +213,8 @@ class Working(unittest.TestCase):
         place = BUILD / "handout_test"
         shutil.rmtree(place, ignore_errors=True)
         place.mkdir(parents=True)
+        subprocess.run([sys.executable, "-B", str(ROOT / "lessons/make_exercises.py"), "--solved", str(place / "solved")],
+                       check=True)
         mistakes = BUILD / "mistakes"
         result = pack(place / "handout", *(["--mistakes", str(mistakes)] if mistakes.is_dir() else []))
         self.assertEqual(result.returncode, 0, result.stderr)
@@ -236,7 +236,7 @@ class Working(unittest.TestCase):
         self.assertIn("right: all", self.run_in(*learn))
 
         known = "A - B"
-        self.assertTrue(self.solve(lambda text: re.sub(r"return B - A;", f"return {known};", text)))
+        self.assertTrue(self.solve(change=lambda text: re.sub(r"return B - A;", f"return {known};", text)))
         text = self.cases(expect=1)
         self.assertIn("Slide: Reflections: Reflected Vector", text)
         self.assertIn("expected", text)
@@ -244,6 +244,11 @@ class Working(unittest.TestCase):
         self.assertIn("Reflected Vector", text)
         if mistakes.is_dir():
             self.assertIn("this looks like", text)
+
+        for lesson in range(LAST + 1):  # all functions of all lessons are known
+            self.solve(lesson)
+            self.assertIn("right: all", self.run_in(*learn[:-1], str(lesson)))
+        self.assertIn("all exercises are right", self.run_in(*learn[:-1], "8"))
 
         # The picture, and the command that `learn` names.
         self.run_in("build/student/bin/exercise02", "--size", "32x24", "--out", str(place / "mine.png"))

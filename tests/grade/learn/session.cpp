@@ -113,7 +113,7 @@ LessonRun runLesson(const Session& session, int lesson, const std::string& first
     const Box box{Sandbox::none, 0};
     const TemporaryFolder folder;
     const auto compiled = compileSubmission(box, lesson, text, folder.path);
-    LessonRun run{compiled.ok, compiled.reason, compiled.errors, {}, ""};
+    LessonRun run{compiled.ok, compiled.reason, compiled.errors, compiled.remarks, {}, ""};
     if (!compiled.ok) return run;
     Remote remote(box, compiled.program, lesson, Limits());
     const auto candidate = remote.candidate();

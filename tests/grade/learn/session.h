@@ -16,6 +16,7 @@ struct LessonRun
     bool compiled = false;
     std::string reason;                      ///< why not, in one sentence
     std::vector<std::string> errors;         ///< "exercise.h:48:9: error: ..."
+    std::vector<std::string> remarks;        ///< "glm::reflect is used"
     std::map<std::string, Attempt> attempts; ///< by the exercise's id
     std::string text;                        ///< what the student's code printed
 };

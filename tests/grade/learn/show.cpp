@@ -146,6 +146,7 @@ std::string resultText(const Session& session, const Exercise& exercise, const L
     const auto& attempt = found->second;
     std::string text = attemptText(session, exercise, attempt, look);
     if (attempt.pictures) text += pictureText(exercise, *attempt.pictures, look);
+    for (const auto& remark : run.remarks) text += onOneLine(remark, 200) + "\n";
     text += printedText(run.text);
     if (attempt.outcome == Outcome::passed)
     {
