@@ -27,6 +27,13 @@ struct Died : std::runtime_error
     Outcome outcome;
 };
 
+/// Something of ours failed, as a box that cannot be started: no verdict about a student. Whoever catches what a candidate
+/// throws lets this one pass.
+struct GraderError : std::runtime_error
+{
+    using std::runtime_error::runtime_error;
+};
+
 /// The lesson itself, in double: what the answers of a student are compared with. Lesson 00 to 08.
 Candidate reference(int lesson);
 
