@@ -56,7 +56,8 @@ bool leavesItsFolder(const std::string& path)
 
 bool isOdd(const std::string& path)
 {
-    return path.empty() || !isUtf8(path) || std::any_of(path.begin(), path.end(), [](char c) {
+    constexpr std::size_t longest = 500;
+    return path.empty() || path.size() > longest || !isUtf8(path) || std::any_of(path.begin(), path.end(), [](char c) {
                return static_cast<unsigned char>(c) < ' ' || c == '\x7F';
            });
 }

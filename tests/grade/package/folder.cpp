@@ -43,6 +43,11 @@ std::string readAt(int folder, const char* name, const std::string& shown)
     return bytes;
 }
 
+struct CloseFolder
+{
+    void operator()(DIR* folder) const { ::closedir(folder); }
+};
+
 struct Walk
 {
     const std::function<bool(const std::string&)>& isWanted;
@@ -52,7 +57,7 @@ struct Walk
 
     void folder(int fd, const std::string& path, int depth)
     {
-        const std::unique_ptr<DIR, decltype(&::closedir)> list(::fdopendir(fd), &::closedir);
+        const std::unique_ptr<DIR, CloseFolder> list(::fdopendir(fd));
         if (!list)
         {
             ::close(fd);

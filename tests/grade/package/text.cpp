@@ -3,6 +3,8 @@
 #include <regex>
 #include <stdexcept>
 
+#include "tests/grade/box/source_text.h"
+
 namespace rt::grade
 {
 
@@ -124,10 +126,13 @@ std::string normalisedText(std::string_view bytes, std::vector<std::string>& rem
 std::optional<int> lessonOf(const std::string& text)
 {
     std::smatch found;
-    static const std::regex space(R"(\bnamespace\s+(?:rt\s*::\s*)?exercise(\d\d)\b)");
-    if (std::regex_search(text, found, space)) return std::stoi(found[1]);
-    static const std::regex comment(R"(^\s*//\s*[Ee]xercise\s+(\d\d)\b)");
-    if (std::regex_search(text, found, comment)) return std::stoi(found[1]);
+    const auto code = squeezed(codeOnly(text));
+    static const std::regex space(R"(\bnamespace\s(?:rt\s?::\s?)?exercise(\d\d)\b)");
+    if (std::regex_search(code, found, space)) return std::stoi(found[1]);
+    constexpr std::size_t first = 500;
+    const auto start = text.substr(0, first);
+    static const std::regex comment(R"((?:^|\n)//\s*[Ee]xercise\s(\d\d)\b)");
+    if (std::regex_search(start, found, comment)) return std::stoi(found[1]);
     return std::nullopt;
 }
 
