@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "common/todo.h"
+
 namespace rt::lesson00
 {
 
