@@ -14,6 +14,7 @@ namespace
 
 using namespace lesson00;
 using G = Geometry<double>;
+const Functions right = functionsOf<G>();
 
 struct GeometryMutant
 {
@@ -75,12 +76,12 @@ std::vector<GeometryMutant> planeMutants()
         slope("a vertical line gets slope 0",
               [](V2 P, V2 Q) {
                   if (P.x == Q.x) return Slope({0, P.y});
-                  return G::slopeIntercept(P, Q);
+                  return right.slopeIntercept(P, Q);
               }),
         slope("a horizontal line gets none",
               [](V2 P, V2 Q) {
                   if (P.y == Q.y) return Slope();
-                  return G::slopeIntercept(P, Q);
+                  return right.slopeIntercept(P, Q);
               }),
         slope("there never is a slope", [](V2, V2) { return Slope(); }),
         slope("a constant",
@@ -309,15 +310,15 @@ TEST(Mutants00, OtherCorrectAnswersPass)
     };
     subject.normals2 = [](const Implicit& l) { return std::pair(V2(-l.A, -l.B) / 7.0, V2(l.A, l.B) * 3.0); };
     subject.withUnitNormal = [](const Implicit& l) {
-        const auto line = G::withUnitNormal(l);
+        const auto line = right.withUnitNormal(l);
         return Implicit{-line.A, -line.B, -line.C};
     };
     subject.parametricForm = [](const V3& P, const V3& Q) { return Parametric{Q, unit(P - Q)}; };
     subject.normals3 = [](const Parametric& line) {
-        const V3 n = G::normals(line).second;
+        const V3 n = right.normals3(line).second;
         return std::pair(-n, unit(n));
     };
-    subject.unitNormal = [](const Parametric& line, double angle) { return V3(G::unitNormal(line, 2 - angle)); };
+    subject.unitNormal = [](const Parametric& line, double angle) { return right.unitNormal(line, 2 - angle); };
     for (const auto& which : geometryCases())
         EXPECT_TRUE(runCase(which, subject).failures.empty()) << which.group << " " << which.name;
 }
