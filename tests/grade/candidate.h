@@ -14,10 +14,10 @@ namespace rt::grade
 
 struct Candidate
 {
-    cases::Subject tracer;           ///< lessons 01 to 08; its functions are empty in lesson 00
-    cases::GeometrySubject geometry; ///< lesson 00; empty functions otherwise
+    cases::Subject tracer = {};           ///< lessons 01 to 08; its functions are empty in lesson 00
+    cases::GeometrySubject geometry = {}; ///< lesson 00; empty functions otherwise
     /// A hash of all answers since it was last called; two runs of an honest program give the same. Empty in our own process.
-    std::function<std::uint64_t()> fingerprint;
+    std::function<std::uint64_t()> fingerprint = {};
 };
 
 /// A student's process ended, or answered nonsense, while it was asked. It is started anew for the next question.

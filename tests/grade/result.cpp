@@ -43,6 +43,8 @@ const char* name(State state)
         return "refused";
     case State::notCompiled:
         return "not compiled";
+    case State::graderError:
+        return "grader error";
     }
     return "unknown";
 }

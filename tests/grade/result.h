@@ -64,13 +64,15 @@ enum class State
     missing,     ///< there is no file for this lesson
     refused,     ///< its package is not acceptable
     notCompiled, ///< the compiler refuses it, or needed too much
+    graderError, ///< something of ours failed; not the student's fault
 };
 
 struct SubmissionResult
 {
     std::string student; ///< the name of its folder or file: foreign text
     int lesson = 0;
-    std::string key; ///< SHA-256 of submission, grader, lesson data and seed, in hex
+    std::string key;    ///< SHA-256 of submission, grader, lesson data and seed, in hex
+    std::string grader; ///< the same without the submission: results that may stand in one gradebook have the same
     State state = State::graded;
     std::string reason;                      ///< one sentence if not graded; foreign text may stand in it
     std::vector<std::string> compilerErrors; ///< the first 20, without our paths: foreign text

@@ -92,7 +92,7 @@ TEST_F(Compiling, TellsErrorsWithoutOurPaths)
     EXPECT_FALSE(result.ok);
     EXPECT_EQ(result.reason, "exercise.h does not compile");
     ASSERT_FALSE(result.errors.empty());
-    EXPECT_EQ(result.errors[0].rfind("exercise.h:30:", 0), 0U) << all(result);
+    EXPECT_EQ(result.errors[0].rfind("exercise.h:35:22", 0), 0U) << all(result);
     EXPECT_NE(result.errors[0].find("error: 'hit' was not declared"), std::string::npos) << all(result);
     EXPECT_EQ(all(result).find("/kit"), std::string::npos) << all(result);
     EXPECT_EQ(all(result).find("/source"), std::string::npos) << all(result);
@@ -180,9 +180,9 @@ TEST(SourceText, KnowsCommentsAndLiterals)
 {
     EXPECT_EQ(codeOnly("a // b\nc"), "a     \nc");
     EXPECT_EQ(codeOnly("a /* b\n */ c"), "a     \n    c");
-    EXPECT_EQ(codeOnly("x = \"a\\\"//b\"; y"), "x = \"       \"; y");
+    EXPECT_EQ(codeOnly("x = \"a\\\"//b\"; y"), "x = \"      \"; y");
     EXPECT_EQ(codeOnly("1'000 /*x*/ 2'000"), "1'000       2'000");
-    EXPECT_EQ(codeOnly("R\"q(a)\" // )q\" b"), "R\"            \" b");
+    EXPECT_EQ(codeOnly("R\"q(a)\" // )q\" b"), "R\"           \" b");
     EXPECT_EQ(codeOnly("// a\\\nb\nc"), "     \nc");
 }
 

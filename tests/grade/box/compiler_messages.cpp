@@ -55,8 +55,16 @@ std::vector<std::string> errorsIn(const std::string& output, const std::vector<s
     return errors;
 }
 
-std::string reasonIn(const std::string& output, int lesson)
+std::string reasonIn(const std::string& all, int lesson)
 {
+    // std::regex recurses once a character: short lines only.
+    constexpr std::size_t longest = 500, mostLines = 2000;
+    std::string output;
+    std::istringstream lines(all);
+    std::size_t count = 0;
+    for (std::string line; count < mostLines && std::getline(lines, line); ++count)
+        output += line.substr(0, longest) + "\n";
+
     const std::string space = fmt::format("exercise{:02}", lesson), tracer = lesson == 0 ? "Geometry" : "Tracer";
     const auto matches = [&](const std::string& pattern, std::smatch& found) {
         return std::regex_search(output, found, std::regex(pattern));
@@ -77,9 +85,9 @@ std::string reasonIn(const std::string& output, int lesson)
         return fmt::format("there is no function {}", found[1].str());
     if (matches("multiple definition of [`']main'", found) || matches("redefinition of 'int main\\(", found))
         return "exercise.h defines main, which is ours";
-    if (matches("multiple definition of [`']([^']*)'", found))
+    if (matches("multiple definition of [`']([^'\n]*)'", found))
         return fmt::format("exercise.h defines {}, which is defined already", found[1].str());
-    if (matches("undefined reference to [`']([^']*)'", found))
+    if (matches("undefined reference to [`']([^'\n]*)'", found))
         return fmt::format("{} is declared, but defined nowhere", found[1].str());
     if (matches("template instantiation depth exceeds", found)) return "templates in exercise.h are nested too deeply";
     if (matches("constexpr' (?:evaluation|loop iteration|evaluation operation) |-fconstexpr-", found))

@@ -4,8 +4,8 @@
     make_kit.py OUT COMPILER
 
 writes OUT/01, OUT/04 and OUT/rest, each with the headers that tests/grade/wire/student.h needs, precompiled, the runner's object and exercise.student.cpp; and OUT/flags, one a line, that all of it is
-and must be compiled with, and OUT/compiler. In OUT/01 the bodies of the ray's meetings with sphere and plane, in OUT/01 and
-OUT/04 that of the lat-long map, throw NotAttempted instead.
+and must be compiled with, and OUT/compiler. In OUT/01 rays meet neither spheres nor planes; in OUT/01 and OUT/04
+the lat-long map throws NotAttempted.
 """
 import pathlib
 import re
@@ -18,6 +18,8 @@ WIRE = "tests/grade/wire"
 SOURCES = [f"{WIRE}/student.h", f"{WIRE}/exercise.student.cpp", f"{WIRE}/runner.student.cpp"]
 STUBS = {"01": ["01-sphere", "01-plane", "04-latlong"], "04": ["04-latlong"], "rest": []}
 FILL = "-ftrivial-auto-var-init=pattern"  # of ours; a precompiled header serves the others too
+# Lesson 01's recorder asks what blocks a shadow ray; a mark thrown there would look like the student's.
+BODIES = {"01-sphere": "return std::nullopt;", "01-plane": "return std::nullopt;"}
 # One machine for all: no -march. Whoever nests templates deeper than this, or lets the compiler compute longer, exhausts it.
 FLAGS = ["-std=c++20", "-O1", "-ffp-contract=off", "-fno-lto", "-fno-diagnostics-show-caret", "-fdiagnostics-color=never",
          "-fmax-errors=20", "-ftemplate-depth=200", "-fconstexpr-depth=256", "-fconstexpr-ops-limit=10000000",
@@ -49,7 +51,7 @@ def stubbed(text, ids):
         if match["id"] not in ids:
             return match["body"]
         count += 1
-        return f'{match["indent"]}todo("{match["id"]}");\n'
+        return match["indent"] + BODIES.get(match["id"], f'todo("{match["id"]}");') + "\n"
 
     text = re.sub(r"^(?P<indent> *)// SOLUTION (?P<id>\S+)\n(?P<body>.*?)^ *// END\n", body, text, flags=re.M | re.S)
     if count:

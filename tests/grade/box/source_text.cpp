@@ -86,12 +86,31 @@ std::string codeOnly(const std::string& raw)
     return text;
 }
 
+std::string squeezed(const std::string& text)
+{
+    std::string result;
+    for (const char c : text)
+    {
+        const bool isBlank = c == ' ' || (c >= '\t' && c <= '\r');
+        const bool wasBlank = !result.empty() && (result.back() == ' ' || result.back() == '\n');
+        if (isBlank && wasBlank)
+        {
+            if (c == '\n') result.back() = '\n';
+        }
+        else
+            result += c == '\n' ? '\n' : isBlank ? ' ' : c;
+    }
+    return result;
+}
+
 std::vector<std::string> remarksOn(const std::string& text)
 {
-    const auto code = codeOnly(text);
+    const auto code = squeezed(codeOnly(text));
     std::set<std::string> names = {"glm"};
-    static const std::regex alias(R"(namespace\s+(\w+)\s*=\s*(?:::\s*)?glm\s*;)");
-    for (std::sregex_iterator found(code.begin(), code.end(), alias), end; found != end; ++found)
+    static const std::regex alias(R"(namespace\s+(\w{1,40})\s*=\s*(?:::\s*)?glm\s*;)");
+    constexpr std::size_t mostNames = 8;
+    for (std::sregex_iterator found(code.begin(), code.end(), alias), end; found != end && names.size() < mostNames;
+         ++found)
         names.insert((*found)[1]);
     std::vector<std::string> remarks;
     for (const char* function : {"reflect", "refract"})
@@ -109,6 +128,11 @@ std::vector<std::string> remarksOn(const std::string& text)
 std::string unsafeToCompile(const std::string& text)
 {
     const std::string tail = ", which is refused where bubblewrap cannot run";
+    constexpr std::size_t longest = 1000;
+    std::size_t length = 0;
+    for (const char c : joinedLines(text))
+        if ((length = c == '\n' ? 0 : length + 1) > longest)
+            return "exercise.h has a line of more than 1000 characters" + tail;
     const auto code = codeOnly(text);
     static const std::regex assembler(R"(\b(asm|__asm|__asm__)\b)"), pasting("##|%:%:"),
         digraph(R"((^|\n)[ \t]*(%:|\?\?=))");

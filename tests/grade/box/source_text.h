@@ -11,6 +11,9 @@ namespace rt::grade
 /// those continued with a backslash are joined.
 std::string codeOnly(const std::string& text);
 
+/// Each run of blanks is one blank or one line end, so that std::regex, which recurses once a character, does not exhaust our stack.
+std::string squeezed(const std::string& text);
+
 /// "glm::reflect is used", for functions of GLM that are what an exercise asks for.
 std::vector<std::string> remarksOn(const std::string& text);
 

@@ -1,7 +1,6 @@
 #include "tests/grade/questions/ask.h"
 
 #include <algorithm>
-#include <set>
 
 #include "tests/grade/questions/known_mistakes.h"
 #include "tests/grade/questions/run_class.h"
@@ -47,7 +46,11 @@ struct Asking
 
 ClassResult resultOf(const AskedClass& asked, const ClassRun& first, const ClassRun* second)
 {
-    ClassResult result{.exercise = asked.exercise, .name = asked.name, .hidden = asked.hidden, .most = asked.most};
+    ClassResult result;
+    result.exercise = asked.exercise;
+    result.name = asked.name;
+    result.hidden = asked.hidden;
+    result.most = asked.most;
     result.cases = first.cases;
     result.passed = second ? std::min(first.passed, second->passed) : first.passed;
     result.points = asked.most * (second ? std::min(first.credit, second->credit) : first.credit);
@@ -62,21 +65,17 @@ ClassResult resultOf(const AskedClass& asked, const ClassRun& first, const Class
 void nameMistakes(Answers& answers, const std::vector<const AskedClass*>& classes, const std::vector<ClassRun>& runs,
                   int lesson)
 {
-    std::map<std::string, Evidence> evidence;
-    std::set<std::string> unfinished;
+    WrongAnswers wrong;
     for (std::size_t i = 0; i < runs.size(); ++i)
     {
-        if (runs[i].notAttempted) unfinished.insert(classes[i]->exercise);
-        if (!classes[i]->hidden)
-            evidence[classes[i]->exercise].insert(runs[i].evidence.begin(), runs[i].evidence.end());
+        if (runs[i].notAttempted) wrong.unfinished.insert(classes[i]->exercise);
+        if (!classes[i]->hidden && !runs[i].evidence.empty())
+            wrong.evidence[classes[i]->exercise].insert(runs[i].evidence.begin(), runs[i].evidence.end());
     }
-    for (const auto& [exercise, wrong] : evidence)
-    {
-        if (wrong.empty() || unfinished.contains(exercise)) continue;
-        const auto sentence = likelyMistake(exercise, wrong, knownMistakes(lesson));
+    if (wrong.evidence.empty()) return; // the mutants are asked only if there is something to explain
+    for (const auto& [exercise, sentence] : likelyMistakes(wrong, knownMistakes(lesson)))
         for (auto& result : answers.classes)
             if (result.exercise == exercise && result.outcome != Outcome::passed) result.mistake = sentence;
-    }
 }
 
 } // namespace

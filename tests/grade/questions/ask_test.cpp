@@ -207,7 +207,9 @@ Candidate constant(double x)
     c.tracer.color = [x](auto&&...) { return V(x); };
     c.tracer.tree = [](const SceneDescription&, const V& O, const V& D) {
         RayTree tree;
-        tree.nodes.push_back({.origin = O, .direction = D});
+        tree.nodes.emplace_back();
+        tree.nodes[0].origin = O;
+        tree.nodes[0].direction = D;
         return tree;
     };
     c.tracer.picture = [x](const SceneDescription& scene) {
@@ -215,7 +217,8 @@ Candidate constant(double x)
         for (auto& pixel : image.pixels) pixel = V(x);
         return image;
     };
-    c.tracer.toSphere = c.tracer.toPlane = [x](auto&&...) { return x == 0 ? -1 : x; };
+    c.tracer.toSphere = [x](auto&&...) { return x == 0 ? -1 : x; };
+    c.tracer.toPlane = [x](auto&&...) { return x == 0 ? -1 : x; };
     c.tracer.reflect = [x](const V& D, const V& N) { return x == 0 ? D : x == 1 ? -D : N; };
     c.tracer.latLong = [x](const V&) { return std::array{x, x}; };
     c.tracer.refract = [x](const V& D, auto&&...) { return x == 0 ? std::optional<V>() : D; };
@@ -240,7 +243,7 @@ Candidate constant(double x)
 
 TEST_P(Lesson, GivesNothingForConstants)
 {
-    for (const double x : {0.0, 1.0, 0.5, 0.04, NAN})
+    for (const double x : {0.0, 1.0, 0.5, 0.04, double(NAN)})
         for (const auto& one : grade(GetParam(), constant(x)).classes)
             EXPECT_EQ(one.points, 0) << x << ": " << describe(one);
 }
@@ -291,7 +294,10 @@ TEST_P(Lesson, GivesNothingForPicturesThatAreNone)
 TEST(Pictures, WithOneValueThatIsNotFiniteGetNinetyPercent)
 {
     for (const auto& one : spoilt(2, [](Image& image) { image.at(0, 0).x = INFINITY; }).classes)
-        if (isPicture(one)) EXPECT_NEAR(one.points, 0.9 * one.most, 1e-12);
+    {
+        if (!isPicture(one)) continue;
+        EXPECT_NEAR(one.points, 0.9 * one.most, 1e-12);
+    }
 }
 
 TEST(Pictures, AreCreditedLinearlyBetween80And99AndAHalfPercent)
@@ -313,7 +319,7 @@ TEST(Pictures, AreCreditedLinearlyBetween80And99AndAHalfPercent)
         };
         EXPECT_EQ(credit(1), 1);
         EXPECT_EQ(credit(0.996), 1);
-        EXPECT_NEAR(credit(0.9), 0.1 / 0.195, 0.01);
+        EXPECT_NEAR(credit(0.9), 0.1 / 0.195, 1 / 0.195 / asked.picture->pixels); // whole pixels
         EXPECT_LT(credit(0.99), 1);
         EXPECT_EQ(credit(0.79), 0);
     }
@@ -443,16 +449,19 @@ TEST(TwoRuns, CatchDeathsForEachQuestionAndKeepTheWorstOne)
         return candidate;
     });
     for (const auto& one : answers.classes)
-        if (one.name == "equal and similar media")
+    {
+        if (one.name == "grazing")
         {
-            EXPECT_EQ(one.outcome, Outcome::timedOut);
-            EXPECT_EQ(one.passed, 20);
-            EXPECT_EQ(one.points, 0);
-            EXPECT_EQ(one.example.has_value(), !one.hidden);
-            if (one.example) EXPECT_EQ(one.example->got, "it ran for 10 seconds");
-        }
-        else if (one.name == "grazing")
             EXPECT_EQ(one.outcome, Outcome::passed) << describe(one);
+        }
+        if (one.name != "equal and similar media" || one.exercise != "05-refract") continue;
+        EXPECT_EQ(one.outcome, Outcome::timedOut);
+        EXPECT_EQ(one.passed, 20);
+        EXPECT_EQ(one.points, 0);
+        ASSERT_EQ(one.example.has_value(), !one.hidden);
+        if (one.hidden) continue;
+        EXPECT_EQ(one.example->got, "it ran for 10 seconds");
+    }
 }
 
 TEST(TwoRuns, CanBeInterrupted)
@@ -475,6 +484,18 @@ TEST(TwoRuns, ReportTheirProgress)
         2, [] { return solved(2); }, secret, options);
     EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
     EXPECT_DOUBLE_EQ(shares.back(), 1);
+}
+
+TEST(LikelyMistakes, AreNotMadeUp)
+{
+    auto odd = solved(5);
+    odd.tracer.refract = [honest = odd.tracer.refract](const V& D, const V& N, double n1, double n2) {
+        const auto T = honest(D, N, n1, n2);
+        return T ? std::optional<V>(*T + 0.1 * N) : T;
+    };
+    odd.tracer.cosSquared2 = [](double cos1, double, double) { return cos1 * cos1 * cos1; };
+    for (const auto& one : grade(5, odd, secret, true).classes) EXPECT_EQ(one.mistake, "") << describe(one);
+    for (const auto& one : grade(2, constant(0.25), secret, true).classes) EXPECT_EQ(one.mistake, "") << describe(one);
 }
 
 TEST(Uninitialised, IsSaidOfWhatIsWrongWithAPatternAndRightWithZero)

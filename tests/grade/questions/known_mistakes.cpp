@@ -54,7 +54,7 @@ std::string mistakesJson(int lesson)
         if (!mutant.endless)
             list.push_back({{"id", mutant.id},
                             {"mistake", mutant.mistake},
-                            {"evidence", ownCasesEvidence(mutant.candidate, lesson)}});
+                            {"evidence", ownCasesAnswers(mutant.candidate, lesson).evidence}});
     return nlohmann::ordered_json{{"version", 1}, {"lesson", lesson}, {"mistakes", list}}.dump(1) + "\n";
 }
 

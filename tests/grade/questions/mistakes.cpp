@@ -1,15 +1,16 @@
 // Comparing wrong answers with those of known mistakes. Nothing here needs a lesson or a mutant.
 #include "tests/grade/questions/mistakes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <set>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "common/todo.h"
 #include "tests/grade/questions/manifest.h"
+#include "tests/grade/questions/question.h"
 #include "tests/lessons/cases.h"
 
 namespace rt::grade
@@ -34,7 +35,9 @@ bool sameAnswer(const std::string& a, const std::string& b)
             char *pEnd = nullptr, *qEnd = nullptr;
             const double x = std::strtod(p, &pEnd), y = std::strtod(q, &qEnd);
             const bool equal = x == y || (std::isnan(x) && std::isnan(y));
-            if (!equal && !(std::abs(x - y) <= 1e-5 * std::max(1.0, std::abs(x)))) return false;
+            const bool near =
+                std::isfinite(x) && std::isfinite(y) && std::abs(x - y) <= 1e-5 * std::max(1.0, std::abs(x));
+            if (!equal && !near) return false;
             p = pEnd;
             q = qEnd;
         }
@@ -71,59 +74,79 @@ void addFailures(Evidence& evidence, const Case& which, const Subject& subject)
     if (!ended.empty()) evidence[key(check.failures.size())] = ended;
 }
 
-} // namespace
-
-std::string likelyMistake(const std::string& exercise, const Evidence& evidence, const std::vector<KnownMistake>& known)
+/// Which share of the questions that the student or the mutant answers wrongly do both answer alike; 0 if those are too few.
+double explained(const Evidence& student, const Evidence& mutant)
 {
-    // A single wrong answer may have many reasons.
-    constexpr std::size_t fewest = 3;
-    constexpr double share = 0.95;
-    double best = 0;
-    std::string sentence;
-    for (const auto& one : known)
+    constexpr std::size_t fewest = 3; // a single wrong answer may have many reasons
+    std::size_t same = 0, all = mutant.size();
+    for (const auto& [question, answer] : student)
     {
-        const auto found = one.evidence.find(exercise);
-        if (found == one.evidence.end()) continue;
-        std::size_t same = 0, all = found->second.size();
-        for (const auto& [question, answer] : evidence)
-        {
-            const auto theirs = found->second.find(question);
-            if (theirs == found->second.end())
-                ++all;
-            else if (sameAnswer(theirs->second, answer))
-                ++same;
-        }
-        const double explained = double(same) / double(all);
-        if (same < fewest || explained < share || explained <= best) continue;
-        best = explained;
-        sentence = "this looks like: " + one.mistake;
+        const auto theirs = mutant.find(question);
+        if (theirs == mutant.end())
+            ++all;
+        else if (sameAnswer(theirs->second, answer))
+            ++same;
     }
-    return sentence;
+    return same < fewest ? 0 : double(same) / double(all);
 }
 
-std::map<std::string, Evidence> ownCasesEvidence(const Candidate& candidate, int lesson)
+bool belongs(const Exercise& exercise, const char* group)
 {
-    std::map<std::string, Evidence> all;
+    return std::any_of(exercise.cases.begin(), exercise.cases.end(), [&](const auto& groups) {
+        return (" + " + groups + " + ").find(fmt::format(" + {} + ", group)) != std::string::npos;
+    });
+}
+
+} // namespace
+
+std::map<std::string, std::string> likelyMistakes(const WrongAnswers& wrong, const std::vector<KnownMistake>& known)
+{
+    constexpr double enough = 0.95;
+    std::map<std::string, std::pair<double, int>> best;
+    std::map<std::string, std::string> sentences;
+    for (const auto& one : known)
+    {
+        // Where the mutant fails, so must the student, or the mistake is another one.
+        const bool possible = std::all_of(one.evidence.begin(), one.evidence.end(), [&](const auto& theirs) {
+            return wrong.evidence.contains(theirs.first) || wrong.unfinished.contains(theirs.first);
+        });
+        if (!possible) continue;
+        std::map<std::string, double> shares;
+        for (const auto& [exercise, evidence] : wrong.evidence)
+        {
+            const auto theirs = one.evidence.find(exercise);
+            if (theirs == one.evidence.end() || wrong.unfinished.contains(exercise)) continue;
+            if (const double share = explained(evidence, theirs->second); share >= enough) shares[exercise] = share;
+        }
+        // Of two that explain an exercise alike, the one that explains more of the others.
+        for (const auto& [exercise, share] : shares)
+            if (const std::pair rank(share, int(shares.size())); rank > best[exercise])
+            {
+                best[exercise] = rank;
+                sentences[exercise] = "this looks like: " + one.mistake;
+            }
+    }
+    return sentences;
+}
+
+WrongAnswers ownCasesAnswers(const Candidate& candidate, int lesson)
+{
+    WrongAnswers wrong;
     for (const auto& exercise : exercisesOf(lesson)) try
         {
             Evidence evidence;
-            const auto belongs = [&](const char* group) {
-                for (const auto& groups : exercise.cases)
-                    if ((" + " + groups + " + ").find(fmt::format(" + {} + ", group)) != std::string::npos) return true;
-                return false;
-            };
             for (const auto& which : cases::ownCases(lesson))
-                if (belongs(which.group)) addFailures(evidence, which, candidate.tracer);
+                if (belongs(exercise, which.group)) addFailures(evidence, which, inFloat(candidate.tracer));
             if (lesson == 0)
                 for (const auto& which : cases::geometryCases())
-                    if (belongs(which.group)) addFailures(evidence, which, candidate.geometry);
-            if (!evidence.empty()) all[exercise.id] = evidence;
+                    if (belongs(exercise, which.group)) addFailures(evidence, which, inFloat(candidate.geometry));
+            if (!evidence.empty()) wrong.evidence[exercise.id] = evidence;
         }
         catch (const NotAttempted&)
         {
-            // What is not written is not a mistake.
+            wrong.unfinished.insert(exercise.id);
         }
-    return all;
+    return wrong;
 }
 
 std::vector<KnownMistake> mistakesFromJson(const std::string& json)

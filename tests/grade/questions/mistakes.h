@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -20,13 +21,19 @@ struct KnownMistake
     std::map<std::string, Evidence> evidence; ///< by exercise
 };
 
-/// "this looks like: n1 and n2 are swapped"; empty if no mistake explains the evidence. It is named only if all answers but
-/// 1 in 20 are those of the mutant, and the same questions fail; numbers agree to five digits.
-std::string likelyMistake(const std::string& exercise, const Evidence& evidence,
-                          const std::vector<KnownMistake>& known);
+struct WrongAnswers
+{
+    std::map<std::string, Evidence> evidence; ///< by exercise; only where something is wrong
+    std::set<std::string> unfinished;         ///< exercises that have not been attempted, or that ask one that has not
+};
 
-/// The wrong answers of a candidate to the lesson's own cases, by exercise. Needs no lesson to compare with.
-std::map<std::string, Evidence> ownCasesEvidence(const Candidate& candidate, int lesson);
+/// By exercise: "this looks like: n1 and n2 are swapped". A mistake is named for an exercise only if at least three, and all
+/// but 1 in 20, of the questions that the student or the mutant answers wrongly are answered alike (numbers to five digits),
+/// and if the mutant fails in no exercise in which the student does not.
+std::map<std::string, std::string> likelyMistakes(const WrongAnswers& wrong, const std::vector<KnownMistake>& known);
+
+/// The wrong answers of a candidate to the lesson's own cases. Needs no lesson to compare with.
+WrongAnswers ownCasesAnswers(const Candidate& candidate, int lesson);
 
 /// For a hand-out without lessons and mutants: what each mutant answers to the lesson's own cases, as JSON. It gives no
 /// solution away.

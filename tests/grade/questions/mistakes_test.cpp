@@ -21,31 +21,47 @@ TEST(Mistakes, AreFoundFromTheStoredFileAlone)
         {
             if (mutant.endless) continue;
             ++all;
-            for (const auto& [exercise, evidence] : ownCasesEvidence(mutant.candidate, lesson))
-                if (!likelyMistake(exercise, evidence, known).empty())
-                {
-                    ++found;
-                    break;
-                }
+            found += !likelyMistakes(ownCasesAnswers(mutant.candidate, lesson), known).empty();
         }
         // A mistake that fails in fewer than three of the lesson's own checks is not named from these alone.
-        EXPECT_GE(found, all * 3 / 5) << "lesson " << lesson << ": " << found << " of " << all;
+        EXPECT_GE(found, all / 2) << "lesson " << lesson << ": " << found << " of " << all;
     }
+}
+
+std::string named(const Evidence& evidence, const std::vector<KnownMistake>& known)
+{
+    const auto sentences = likelyMistakes({{{"e", evidence}}, {}}, known);
+    return sentences.empty() ? "" : sentences.begin()->second;
 }
 
 TEST(Mistakes, AreNotNamedOnThinEvidence)
 {
-    const std::vector<KnownMistake> known{
-        {"a", "this", {{"e", {{"q1", "1"}, {"q2", "2"}, {"q3", "(3, nan)"}, {"q4", "4"}}}}}};
-    EXPECT_EQ(likelyMistake("e", {{"q1", "1"}, {"q2", "2.000001"}, {"q3", "(3, -nan)"}, {"q4", "4"}}, known),
+    const Evidence evidence{{"q1", "1"}, {"q2", "2"}, {"q3", "(3, nan)"}, {"q4", "inf"}};
+    const std::vector<KnownMistake> known{{"a", "this", {{"e", evidence}}}};
+    EXPECT_EQ(named({{"q1", "1"}, {"q2", "2.000001"}, {"q3", "(3, -nan)"}, {"q4", "inf"}}, known),
               "this looks like: this");
-    EXPECT_EQ(likelyMistake("e", {{"q1", "1"}, {"q2", "2"}}, known), "") << "only half of what it would fail";
-    EXPECT_EQ(likelyMistake("e", {{"q1", "1"}, {"q2", "2"}, {"q3", "(3, nan)"}, {"q4", "5"}}, known), "")
-        << "another number";
-    EXPECT_EQ(likelyMistake("e", {{"q1", "1"}, {"q2", "2"}, {"q3", "(3, nan)"}, {"q4", "4"}, {"q5", "5"}}, known), "")
+    EXPECT_EQ(named({{"q1", "1"}, {"q2", "2"}}, known), "") << "only half of what it would fail";
+    EXPECT_EQ(named({{"q1", "1"}, {"q2", "2"}, {"q3", "(3, nan)"}, {"q4", "5"}}, known), "") << "another number";
+    EXPECT_EQ(named({{"q1", "1"}, {"q2", "2.001"}, {"q3", "(3, nan)"}, {"q4", "inf"}}, known), "") << "another number";
+    EXPECT_EQ(named({{"q1", "1"}, {"q2", "2"}, {"q3", "(3, nan)"}, {"q4", "inf"}, {"q5", "5"}}, known), "")
         << "more is wrong";
-    EXPECT_EQ(likelyMistake("f", {{"q1", "1"}}, known), "");
-    EXPECT_EQ(likelyMistake("e", {{"q1", "1"}}, {{"a", "this", {{"e", {{"q1", "1"}}}}}}), "") << "one wrong answer";
+    EXPECT_EQ(named({{"q1", "1"}}, {{"a", "this", {{"e", {{"q1", "1"}}}}}}), "") << "one wrong answer";
+    EXPECT_EQ(named(evidence, {{"a", "this", {{"e", evidence}, {"f", {{"q", "1"}}}}}}), "") << "f would fail too";
+    EXPECT_EQ(
+        likelyMistakes({{{"e", evidence}}, {"f"}}, {{"a", "this", {{"e", evidence}, {"f", {{"q", "1"}}}}}}).size(), 1u)
+        << "f is not written yet";
+    EXPECT_EQ(likelyMistakes({{{"e", evidence}}, {"e"}}, known).size(), 0u) << "e asks what is not written yet";
+}
+
+TEST(Mistakes, OfTwoThatExplainAnExerciseTheOneThatExplainsMoreIsNamed)
+{
+    const Evidence evidence{{"q1", "1"}, {"q2", "2"}, {"q3", "3"}};
+    const std::vector<KnownMistake> known{{"a", "little", {{"e", evidence}}},
+                                          {"b", "all", {{"e", evidence}, {"f", evidence}}}};
+    EXPECT_EQ(likelyMistakes({{{"e", evidence}, {"f", evidence}}, {}}, known),
+              (std::map<std::string, std::string>{{"e", "this looks like: all"}, {"f", "this looks like: all"}}));
+    EXPECT_EQ(likelyMistakes({{{"e", evidence}}, {}}, known),
+              (std::map<std::string, std::string>{{"e", "this looks like: little"}}));
 }
 
 TEST(Mistakes, InABrokenFileAreRefusedWithOneSentence)

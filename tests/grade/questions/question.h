@@ -15,6 +15,14 @@ namespace rt::grade
 using cases::Build;
 using V = Vec3<double>;
 
+/// A lesson's own cases take their tolerance from the subject's scalar type. Students may compute in float.
+template <class Subject>
+Subject inFloat(Subject subject)
+{
+    subject.epsilon = std::max(subject.epsilon, double(std::numeric_limits<float>::epsilon()));
+    return subject;
+}
+
 /// A value is wrong if it is not finite or !(|a - b| <= absolute + relative * |b|), b being the lesson's.
 struct Tolerance
 {

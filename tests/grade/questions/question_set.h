@@ -26,11 +26,11 @@ struct AskedClass
     std::string exercise, name;
     bool hidden = false;
     double most = 0; ///< points
-    std::vector<cases::Case> own;
-    std::vector<cases::GeometryCase> ownGeometry;
-    std::vector<Question> questions;
-    std::vector<Answer> expected; ///< of each question
-    std::optional<PictureQuestion> picture;
+    std::vector<cases::Case> own = {};
+    std::vector<cases::GeometryCase> ownGeometry = {};
+    std::vector<Question> questions = {};
+    std::vector<Answer> expected = {}; ///< of each question
+    std::optional<PictureQuestion> picture = {};
 };
 
 using QuestionSet = std::vector<AskedClass>;

@@ -142,8 +142,8 @@ ClassRun runClass(const AskedClass& asked, const Candidate& candidate, const std
         runPicture(runner, asked, candidate);
     else
     {
-        runOwn(runner, asked.own, candidate.tracer, stop);
-        runOwn(runner, asked.ownGeometry, candidate.geometry, stop);
+        runOwn(runner, asked.own, inFloat(candidate.tracer), stop);
+        runOwn(runner, asked.ownGeometry, inFloat(candidate.geometry), stop);
         runQuestions(runner, asked, candidate, stop);
         run.credit = run.passed >= enough * run.cases ? 1 : 0;
     }

@@ -21,7 +21,10 @@ Build stage(Random& random, const std::vector<Material<double>>& balls)
     for (const auto& material : balls)
     {
         const double radius = random.in(0.7, 0.9);
-        build.material(material).sphere({x + random.in(-0.1, 0.1), radius + 0.01, random.in(-0.5, 0.5)}, radius);
+        build.material(material);
+        build.scene.materials.back().name +=
+            fmt::format(" {}", build.scene.materials.size()); // files need distinct names
+        build.sphere({x + random.in(-0.1, 0.1), radius + 0.01, random.in(-0.5, 0.5)}, radius);
         x += 1.7;
     }
     build.light({random.in(-4, -2), random.in(4, 6), random.in(2, 4)}, random.in(20, 40));
@@ -109,7 +112,6 @@ SceneDescription bubbles(Random& random)
     const Material<double> bubble{.name = "bubble", .color = V(random.in(0.8, 1)), .iorOutside = outside};
     auto build = stage(random, {bubble, diffuse(random, "b"), bubble});
     build.scene.materials[1].ior = build.scene.materials[3].ior = 1;
-    build.scene.materials[3].name = "bubble 2";
     addSky(build, random);
     return build.fresnel(FresnelModel::none).scene;
 }

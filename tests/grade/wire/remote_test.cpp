@@ -120,14 +120,10 @@ Candidate both(const Candidate& far, const Candidate& near, int& compared)
     return pair;
 }
 
-class Solved : public testing::TestWithParam<int>
+/// All own cases pass, and all answers have the bits of our own process.
+void expectSolved(const std::string& name, int lesson)
 {
-};
-
-TEST_P(Solved, PassesAllCasesWithTheBitsOfOurOwnProcess)
-{
-    const int lesson = GetParam();
-    auto remote = student(fmt::format("solved0{}", lesson), lesson);
+    auto remote = student(name, lesson);
     int compared = 0;
     const auto candidate = both(remote.candidate(), solvedHere(lesson), compared);
     const auto expectPassed = [](const auto& which, const cases::Check& check) {
@@ -142,6 +138,20 @@ TEST_P(Solved, PassesAllCasesWithTheBitsOfOurOwnProcess)
     EXPECT_GT(compared, 10);
     EXPECT_EQ(remote.deaths(), 0);
     EXPECT_EQ(remote.text(), "");
+}
+
+class Solved : public testing::TestWithParam<int>
+{
+};
+
+TEST_P(Solved, PassesAllCasesWithTheBitsOfOurOwnProcess)
+{
+    expectSolved(fmt::format("solved0{}", GetParam()), GetParam());
+}
+
+TEST(SolvedInTheKit, GetsTheBlockersThatItCannotFindWithoutFormulas)
+{
+    expectSolved("blockerless", 1);
 }
 
 INSTANTIATE_TEST_SUITE_P(Lesson, Solved, testing::Range(0, 9));
@@ -177,7 +187,7 @@ TEST_P(Untouched, SaysWhichExerciseIsNotAttempted)
 
 INSTANTIATE_TEST_SUITE_P(Lesson, Untouched, testing::Range(0, 9));
 
-TEST(Untouched, HasMagentaPictures)
+TEST(UntouchedExercise, HasMagentaPictures)
 {
     auto remote = student("exercise01", 1);
     const auto picture =
