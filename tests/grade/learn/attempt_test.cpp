@@ -122,6 +122,19 @@ TEST(Attempt, StopsAtTheFirstDeathAndLeavesTheOthersOpen)
     EXPECT_EQ(asked, 1);
 }
 
+TEST(Attempt, ShowsThePictureOfAWrongExerciseAndNotOfAnother)
+{
+    auto candidate = local<solved02::Tracer>();
+    candidate.tracer.reflect = [](const Vec3<double>& D, const Vec3<double>&) { return D; };
+    candidate.tracer.picture = [](const SceneDescription& scene) {
+        return Image(scene.camera.width, scene.camera.height);
+    };
+    const auto attempts = runCases(candidate, exercisesOf(2), "02-reflect");
+    EXPECT_TRUE(attempts.at("02-reflect").pictures);
+    EXPECT_TRUE(attempts.at("02-reflect").name.starts_with("Reflect: ")) << "a value says more than a picture";
+    EXPECT_FALSE(attempts.at("02-mirror").pictures);
+}
+
 TEST(Attempt, TakesWhatExercisesThrowForWrong)
 {
     auto candidate = local<solved02::Tracer>();
