@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "common/image.h"
+#include "common/scene_file.h"
 #include "lessons/00_geometry/geometry.h"
 #include "lessons/02_mirrors/exercise.h"
 #include "solved02.h"
