@@ -93,20 +93,41 @@ void judge(Attempt& attempt, const OneCase& which, const Subject& subject, const
     if (which.kind == cases::Kind::picture && !attempt.pictures) attempt.pictures = triple(first.what, seen);
 }
 
+/// The cases, until one ends the process: each endless loop costs seconds, and one is enough to know.
 template <class OneCase, class Subject>
-Attempt runOne(const std::vector<OneCase>& all, const Exercise& exercise, const Subject& subject, const Seen& seen)
+Attempt runAll(const std::vector<OneCase>& cases, const Subject& subject, const Seen& seen)
 {
     Attempt attempt;
     attempt.outcome = Outcome::passed;
-    for (const auto& which : casesOf(all, exercise))
+    for (const auto& which : cases)
     {
         judge(attempt, which, subject, seen);
-        // Each endless loop costs seconds; one is enough to know.
         if (attempt.outcome > Outcome::notDeterministic) break;
     }
     if (attempt.outcome == Outcome::passed && !attempt.missing.empty()) attempt.outcome = Outcome::notAttempted;
     if (attempt.cases == 0) attempt.outcome = Outcome::notRun;
     return attempt;
+}
+
+/// The lesson's stored pictures belong to no single exercise: they show where the one at hand is wrong, or that something is
+/// though all cases are right.
+void addPictures(std::map<std::string, Attempt>& attempts, const std::string& id, const std::vector<cases::Case>& own,
+                 const cases::Subject& tracer, const Seen& seen)
+{
+    auto& at = attempts.at(id);
+    bool allPassed = true;
+    for (const auto& [other, attempt] : attempts) allPassed = allPassed && attempt.outcome == Outcome::passed;
+    if (at.outcome != Outcome::wrong && !allPassed) return;
+    std::vector<cases::Case> pictures;
+    for (const auto& one : own)
+        if (one.kind == cases::Kind::picture) pictures.push_back(one);
+    auto result = runAll(pictures, tracer, seen);
+    if (result.outcome == Outcome::passed || result.outcome == Outcome::notRun) return;
+    at.pictures = result.pictures;
+    if (!allPassed) return;
+    result.passed += at.passed;
+    result.cases += at.cases;
+    at = result;
 }
 
 } // namespace
@@ -128,10 +149,11 @@ std::map<std::string, Attempt> runCases(const Candidate& candidate, const std::v
     {
         auto& attempt = attempts[exercise.id];
         if (died) continue;
-        attempt =
-            lesson == 0 ? runOne(geometry, exercise, candidate.geometry, seen) : runOne(own, exercise, tracer, seen);
+        attempt = lesson == 0 ? runAll(casesOf(geometry, exercise), candidate.geometry, seen)
+                              : runAll(casesOf(own, exercise), tracer, seen);
         died = attempt.outcome > Outcome::notDeterministic;
     }
+    if (!died && !order.empty()) addPictures(attempts, order.front().id, own, tracer, seen);
     return attempts;
 }
 

@@ -26,7 +26,7 @@ struct Attempt
 };
 
 /// Runs the own cases of a lesson on a candidate: first those of the exercise `first`, then, as long as the candidate does not
-/// die, the others'. By the exercise's id; notRun: given up.
+/// die, the others', then the lesson's pictures, which count for the first. By the exercise's id; notRun: given up.
 std::map<std::string, Attempt> runCases(const Candidate& candidate, const std::vector<Exercise>& exercises,
                                         const std::string& first);
 

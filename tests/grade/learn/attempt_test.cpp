@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "common/image.h"
+#include "common/scene_file.h"
 #include "lessons/00_geometry/geometry.h"
 #include "lessons/02_mirrors/exercise.h"
 #include "solved02.h"
@@ -120,6 +121,19 @@ TEST(Attempt, StopsAtTheFirstDeathAndLeavesTheOthersOpen)
     EXPECT_EQ(attempts.at("02-reflect").example.got, "it takes too long");
     EXPECT_EQ(attempts.at("02-mirror").outcome, Outcome::notRun);
     EXPECT_EQ(asked, 1);
+}
+
+TEST(Attempt, ShowsThePictureOfAWrongExerciseAndNotOfAnother)
+{
+    auto candidate = local<solved02::Tracer>();
+    candidate.tracer.reflect = [](const Vec3<double>& D, const Vec3<double>&) { return D; };
+    candidate.tracer.picture = [](const SceneDescription& scene) {
+        return Image(scene.camera.width, scene.camera.height);
+    };
+    const auto attempts = runCases(candidate, exercisesOf(2), "02-reflect");
+    EXPECT_TRUE(attempts.at("02-reflect").pictures);
+    EXPECT_TRUE(attempts.at("02-reflect").name.starts_with("Reflect: ")) << "a value says more than a picture";
+    EXPECT_FALSE(attempts.at("02-mirror").pictures);
 }
 
 TEST(Attempt, TakesWhatExercisesThrowForWrong)

@@ -238,7 +238,7 @@ class Working(unittest.TestCase):
         known = "A - B"
         self.assertTrue(self.solve(change=lambda text: re.sub(r"return B - A;", f"return {known};", text)))
         text = self.cases(expect=1)
-        self.assertIn("Slide: Reflections: Reflected Vector", text)
+        self.assertIn("Slide: Reflected Vector", text)
         self.assertIn("expected", text)
         text = self.run_in(*learn, expect=1)
         self.assertIn("Reflected Vector", text)

@@ -70,7 +70,7 @@ class Once(Learning):
         self.change("return B - A;", "return A - B;")
         text = self.learn("--once", "2", "--exercise", "02-reflect", expect=1)
         self.assertIn("wrong: ", text)
-        self.assertIn("Slide: Reflections: Reflected Vector", text)
+        self.assertIn("Slide: Reflected Vector", text)
         self.assertRegex(text, r"expected \(.*\)\n +got      \(.*\)")
         self.assertNotIn("02-mirror, What", text)
 
