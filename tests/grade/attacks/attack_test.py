@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
 """Grades a class of hostile, broken and merely odd submissions (attacks.toml) and holds each to the verdict it must get.
 
-    attack_test.py BIN [--only NAME ...] [--keep DIR] [--jobs N]
+    attack_test.py BIN [--only NAME ...] [--keep DIR] [--jobs N] [-- OPTIONS OF grade]
 
-BIN is the folder of the programs. Exit code 77: there is no sandbox on this machine."""
+BIN is the folder of the programs. What is kept in DIR is not graded again. Exit code 77: there is no sandbox on this machine."""
 import argparse
 import collections
 import json
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -50,18 +51,18 @@ def submission_text(attack):
 
 def grade(binaries, lesson, submissions, out, jobs, extra):
     command = [str(binaries / "grade"), str(lesson), "--submissions", str(submissions), "--out", str(out), "--jobs", str(jobs),
-               "--secret", str(out) + ".secret", "--cpu-seconds", "2", *extra]
+               "--secret", str(out) + ".secret", "--cpu-seconds", "2", "--resume", *extra]
     pathlib.Path(str(out) + ".secret").write_text("a secret of the attacks, not of a course")
     done = subprocess.run(command, capture_output=True, text=True, timeout=SECONDS, stdin=subprocess.DEVNULL)
     return done
 
 
 def results_of(out):
-    """The results by the student's name."""
+    """The results by the student's name, each with the folder that it lies in."""
     found = {}
     for path in out.glob("results/*/results.json"):
         result = json.loads(path.read_text())
-        found[result["extra_data"]["student"]] = (result, path.parent)
+        found[result["extra_data"]["raytree"]["student"]] = (result, path.parent)
     return found
 
 
@@ -76,7 +77,7 @@ class Verdicts:
 
 def check(attack, result, folder, verdicts):
     name = attack["name"]
-    data = result["extra_data"]
+    data = result["extra_data"]["raytree"]
     states = attack.get("states", [attack.get("state", "graded")])
     verdicts.that(name, data["state"] in states, f"state is \"{data['state']}\" ({data['reason']}), expected {states}")
     if data["state"] != "graded":
@@ -86,12 +87,12 @@ def check(attack, result, folder, verdicts):
         most = sum(test["max_score"] for test in result["tests"])
         share = result["score"] / most
         points = attack.get("points", "full")
-        least, most_share = {"full": (1, 1), "none": (0, NOTHING)}.get(points) or points
+        least, most_share = {"full": (1, 1), "none": (0, NOTHING)}[points] if isinstance(points, str) else points
         verdicts.that(name, least - 1e-9 <= share <= most_share + 1e-9, f"earned {share:.3f} of all points, expected {points}")
         if "outcomes" in attack:
             outcomes = {one["outcome"] for one in data["classes"]}
             verdicts.that(name, outcomes <= set(attack["outcomes"]), f"outcomes are {outcomes}, expected {attack['outcomes']}")
-    told = (folder / "report.html").read_text() + json.dumps(result)
+    told = (folder.parents[1] / "reports" / (folder.name + ".html")).read_text() + json.dumps({**result, "extra_data": None})
     if "remark" in attack:
         verdicts.that(name, any(attack["remark"] in remark for remark in data["remarks"]), f"no remark says \"{attack['remark']}\": {data['remarks']}")
     if "message" in attack:
@@ -119,6 +120,7 @@ def main():
         top = args.keep.resolve() if args.keep else pathlib.Path(scratch)
         for lesson, all_of_lesson in sorted(lessons.items()):
             place = top / f"class{lesson:02}"
+            shutil.rmtree(place, ignore_errors=True)
             place.mkdir(parents=True)
             for attack in all_of_lesson:
                 PACKAGES[attack.get("package", "folder")](place / attack["name"], submission_text(attack).encode("utf-8", "surrogateescape"))
@@ -134,12 +136,9 @@ def main():
                     verdicts.that(attack["name"], False, f"has no result; there are {sorted(found)[:5]} ...")
                     continue
                 check(attack, *found[attack["name"]], verdicts)
-                for path in [*found[attack["name"]][1].iterdir(), *out.glob("instructor/*")]:
-                    if "never" in attack and path.parent.name != "instructor":
-                        verdicts.that(attack["name"], attack["never"] not in path.read_text(errors="replace"), f"\"{attack['never']}\" stands in {path.name}")
                 if "never" in attack:
-                    text = found[attack["name"]][0]["extra_data"].get("studentText", "")
-                    verdicts.that(attack["name"], attack["never"] not in text, f"the box let it: {text[:200]!r}")
+                    text = (found[attack["name"]][1] / "results.json").read_text()
+                    verdicts.that(attack["name"], attack["never"] not in text, f"\"{attack['never']}\" stands in what it printed: the box let it")
             for name in ("gradebook.csv", "junit.xml", "class.html"):
                 verdicts.that("the class", (out / name).is_file(), f"{name} is missing")
     for trace in ("/tmp/raytree_was_here", "/dev/shm/raytree_was_here", "raytree_was_here"):
