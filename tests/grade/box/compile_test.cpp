@@ -197,6 +197,20 @@ TEST(SourceText, RemarksOnCodeOnly)
     EXPECT_EQ(remarksOn("using glm::reflect;"), std::vector<std::string>{"glm::reflect is used"});
 }
 
+TEST(SourceText, NothingInATextExhaustsUs)
+{
+    constexpr std::size_t most = 250'000;
+    for (const auto& text :
+         {"namespace g =" + std::string(most, ' ') + "glm", "namespace " + std::string(most, 'g') + " = glm;",
+          "# include" + std::string(most, ' ') + "\"x\"", "glm" + std::string(most, '\n') + "::reflect",
+          "#" + std::string(most, 'a'), std::string(most, '#')})
+    {
+        EXPECT_LE(remarksOn(text).size(), 1U);
+        EXPECT_LT(unsafeToCompile(text).size(), 200U);
+        EXPECT_EQ(reasonIn(text, 6), "exercise.h does not compile");
+    }
+}
+
 TEST(SourceText, OnlyPlainIncludesAreSafe)
 {
     for (const char* fine : {"#include \"common/exercise.h\"", "#include <vector>", "  #  include <glm/vec3.hpp> // x",

@@ -219,6 +219,14 @@ TEST_F(Package, EveryEditorsTextIsRead)
     EXPECT_EQ(read("").text, "");
 }
 
+TEST_F(Package, AFileSaysItsLessonHoweverItIsSpaced)
+{
+    EXPECT_EQ(lessonOf("namespace  \t rt ::  exercise06\n{"), 6);
+    EXPECT_EQ(lessonOf("namespace\n/* x */ exercise07 {"), 7);
+    EXPECT_EQ(lessonOf("// namespace rt::exercise06"), std::nullopt);
+    EXPECT_EQ(lessonOf("\n// Exercise 05, refraction"), 5);
+}
+
 TEST_F(Package, NothingInATextExhaustsUs)
 {
     constexpr std::size_t most = 250'000;
