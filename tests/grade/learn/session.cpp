@@ -36,9 +36,8 @@ void nameMistake(Attempt& attempt, const std::string& id, const Candidate& candi
     if (attempt.outcome != Outcome::wrong) return;
     const auto known = storedMistakes(lesson);
     if (known.empty()) return;
-    const auto evidence = ownCasesEvidence(candidate, lesson);
-    if (const auto found = evidence.find(id); found != evidence.end())
-        attempt.mistake = likelyMistake(id, found->second, known);
+    const auto likely = likelyMistakes(ownCasesAnswers(candidate, lesson), known);
+    if (const auto found = likely.find(id); found != likely.end()) attempt.mistake = found->second;
 }
 
 } // namespace
