@@ -46,10 +46,10 @@ bool mayBeUninitialised(const Answers& answers)
 
 std::string graderHash()
 {
-    std::string all;
-    for (const auto& file : {std::string("/proc/self/exe"), kitFolder() + "/runner.o"})
-        all += sha256Hex(readTextFile(file));
-    return sha256Hex(all);
+    std::vector<std::string> all;
+    for (const char* file : {"/proc/self/exe", GRADE_KIT "/rest/runner.o", GRADE_KIT "/compiler"})
+        all.push_back(sha256Hex(readTextFile(file)));
+    return hashOf(all);
 }
 
 std::string graderKey(const Setting& setting)

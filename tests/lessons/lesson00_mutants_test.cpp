@@ -14,6 +14,7 @@ namespace
 
 using namespace lesson00;
 using G = Geometry<double>;
+const Functions right = functionsOf<G>();
 
 TEST(Mutants00, AreAllKilledByTheCasesOfTheirExercise)
 {
@@ -39,15 +40,15 @@ TEST(Mutants00, OtherCorrectAnswersPass)
     };
     subject.normals2 = [](const Implicit& l) { return std::pair(V2(-l.A, -l.B) / 7.0, V2(l.A, l.B) * 3.0); };
     subject.withUnitNormal = [](const Implicit& l) {
-        const auto line = G::withUnitNormal(l);
+        const auto line = right.withUnitNormal(l);
         return Implicit{-line.A, -line.B, -line.C};
     };
     subject.parametricForm = [](const V3& P, const V3& Q) { return Parametric{Q, unit(P - Q)}; };
     subject.normals3 = [](const Parametric& line) {
-        const V3 n = G::normals(line).second;
+        const V3 n = right.normals3(line).second;
         return std::pair(-n, unit(n));
     };
-    subject.unitNormal = [](const Parametric& line, double angle) { return V3(G::unitNormal(line, 2 - angle)); };
+    subject.unitNormal = [](const Parametric& line, double angle) { return right.unitNormal(line, 2 - angle); };
     for (const auto& which : geometryCases())
         EXPECT_TRUE(runCase(which, subject).failures.empty()) << which.group << " " << which.name;
 }

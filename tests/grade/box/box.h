@@ -28,7 +28,7 @@ struct Limits
     std::size_t textBytes = std::size_t(16) << 20; ///< of standard output and error together
 };
 
-/// Workers of one grader differ in their number, from 0: as root, worker i runs as an own user that owns nothing.
+/// Workers of one grader differ in their number, from 0: as root, each worker runs as an own user that owns nothing.
 struct Box
 {
     Sandbox sandbox = Sandbox::bubblewrap;

@@ -3,8 +3,8 @@
 
     make_kit.py OUT COMPILER
 
-writes OUT/01, OUT/04 and OUT/rest, each with the headers that tests/grade/wire/student.h needs, precompiled, the runner's object and exercise.student.cpp; and OUT/flags, one a line, that all of it is
-and must be compiled with, and OUT/compiler. In OUT/01 rays meet neither spheres nor planes; in OUT/01 and OUT/04
+writes OUT/01, OUT/04 and OUT/rest, each with the headers that tests/grade/wire/student.h needs, precompiled, the runner's
+object and exercise.student.cpp; and OUT/flags, one a line, that all of it is and must be compiled with, and OUT/compiler. In OUT/01 rays meet neither spheres nor planes; in OUT/01 and OUT/04
 the lat-long map throws NotAttempted.
 """
 import pathlib

@@ -498,6 +498,15 @@ TEST(LikelyMistakes, AreNotMadeUp)
     for (const auto& one : grade(2, constant(0.25), secret, true).classes) EXPECT_EQ(one.mistake, "") << describe(one);
 }
 
+TEST(Questions, AreSafeOnlyWhereRoundingDoesNotDecide)
+{
+    const auto scene = Build().sphere(V(0), 1).light({0, 0, 5}, 20).scene;
+    EXPECT_TRUE(askTree("in the middle", scene, {0.1, 0, 4}, {0, 0, -1}).safe(1));
+    EXPECT_TRUE(askColor("beside", scene, {1.1, 0, 4}, {0, 0, -1}).safe(1));
+    EXPECT_FALSE(askTree("at the edge", scene, {1, 0, 4}, {0, 0, -1}).safe(1));
+    EXPECT_FALSE(askColor("where float is too coarse", scene, {1e7, 0.5, 0}, {-1, 0, 0}).safe(1));
+}
+
 TEST(Uninitialised, IsSaidOfWhatIsWrongWithAPatternAndRightWithZero)
 {
     auto pattern = solved(5);

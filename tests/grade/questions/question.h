@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/grade/candidate.h"
+#include "tests/lessons/scenes.h"
 #include "tests/grade/questions/random.h"
 
 namespace rt::grade

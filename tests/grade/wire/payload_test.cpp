@@ -328,8 +328,7 @@ bool refuses(std::string_view bytes)
     try
     {
         const T value = decode<T>(bytes);
-        // What was taken can be told again, in as many bytes.
-        EXPECT_EQ(encode(value).size(), bytes.size());
+        EXPECT_TRUE(encode(value) == bytes) << "what was taken is told again otherwise";
         return false;
     }
     catch (const FrameError& error)
@@ -407,6 +406,13 @@ TYPED_TEST(Payload, DoesNoHarmWhateverStandsInIt)
         refused += refuses<TypeParam>(bytes);
     }
     EXPECT_GT(refused, times / 10);
+}
+
+TEST(Pictures, WithoutTheirPixelsAreRefusedBeforeThereIsRoomForThem)
+{
+    const LittleMemory guard;
+    for (const int side : {1, 2000, largestPictureSide, 1 << 30, -1})
+        EXPECT_TRUE(refuses<Image>(encode(std::array{side, side}))) << side;
 }
 
 TEST(Heads, ComeBackAndRefuseEverythingElse)

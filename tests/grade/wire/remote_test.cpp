@@ -368,6 +368,21 @@ TEST(Remote, HashesAllAnswersSinceTheLastTime)
     ask(one, 2);
     EXPECT_EQ(one.fingerprint(), second);
     EXPECT_EQ(two.fingerprint(), nothing);
+    ask(one, 2);
+    ask(two, 3);
+    EXPECT_NE(one.fingerprint(), two.fingerprint()); // as many answers, one of them another
+}
+
+TEST(Remote, ShowsTheSceneToEachNewProcess)
+{
+    auto remote = student("misbehaving", 5);
+    const auto candidate = remote.candidate();
+    const auto scene = cases::Build().floor().depth(3).scene; // its tree says so; without a scene it would say 8
+    for (int i = 0; i < 2; ++i)
+    {
+        EXPECT_EQ(candidate.tracer.tree(scene, V(1, 0, 0), V(1)).maxDepth, 3);
+        EXPECT_EQ(outcomeOf(candidate, Way::abort), Outcome::crashed);
+    }
 }
 
 TEST(Remote, FailuresOfOursAreNoVerdicts)
