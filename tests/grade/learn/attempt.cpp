@@ -6,6 +6,7 @@
 #include "common/camera.h"
 #include "common/todo.h"
 #include "tests/grade/learn/pictures.h"
+#include "tests/grade/questions/in_float.h"
 #include "tests/lessons/cases.h"
 #include "tests/lessons/lesson00_cases.h"
 
@@ -136,7 +137,8 @@ std::map<std::string, Attempt> runCases(const Candidate& candidate, const std::v
                                         const std::string& first)
 {
     Seen seen;
-    const auto tracer = watched(candidate.tracer, seen);
+    const auto tracer = watched(inFloat(candidate.tracer), seen);
+    const auto numbers = inFloat(candidate.geometry);
     const int lesson = exercises.empty() ? -1 : exercises.front().lesson;
     const auto geometry = lesson == 0 ? cases::geometryCases() : std::vector<cases::GeometryCase>();
     const auto own = cases::ownCases(lesson);
@@ -149,7 +151,7 @@ std::map<std::string, Attempt> runCases(const Candidate& candidate, const std::v
     {
         auto& attempt = attempts[exercise.id];
         if (died) continue;
-        attempt = lesson == 0 ? runAll(casesOf(geometry, exercise), candidate.geometry, seen)
+        attempt = lesson == 0 ? runAll(casesOf(geometry, exercise), numbers, seen)
                               : runAll(casesOf(own, exercise), tracer, seen);
         died = attempt.outcome > Outcome::notDeterministic;
     }

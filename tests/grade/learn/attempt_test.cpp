@@ -88,6 +88,7 @@ TEST(Attempt, HasThePicturesOfAWrongPicture)
     auto candidate = local<solved02::Tracer>();
     candidate.tracer.picture = [right = candidate.tracer.picture](const SceneDescription& scene) {
         Image image = right(scene);
+        for (int x = 0; x < image.width; ++x) image.at(x, 5) += Vec3<double>(0.1);
         image.at(10, 20) += Vec3<double>(0.5);
         return image;
     };

@@ -34,7 +34,7 @@ GEOMETRY = ["functions.h", "figures*.*", "svg.*", "program.cpp", "tutorial.cpp",
 CASES = ["check.h", "run_cases.h", "subject.h", "scenes.h", "cases.h", "lesson00_subject.h", "lesson00_cases.*"]
 ENGINE = ["tests/grade/result.*", "tests/grade/candidate.h", "tests/grade/box/*", "tests/grade/wire/*",
           "tests/grade/learn/*.h", "tests/grade/learn/*.cpp", "tests/grade/questions/manifest.*",
-          "tests/grade/questions/mistakes.*"]
+          "tests/grade/questions/mistakes.*", "tests/grade/questions/in_float.h"]
 # What needs lessons, mistakes or a sandbox.
 NOT_ENGINE = re.compile(r"_test\.cpp$|/mistakes_main\.cpp$|\.md$|/probe\.|/launch_main|/selftest|/seccomp\.cpp|/reference|"
                         r"/misbehaving|\.cmake$")

@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "common/todo.h"
+#include "tests/grade/questions/in_float.h"
 #include "tests/grade/questions/manifest.h"
-#include "tests/grade/questions/question.h"
 #include "tests/lessons/cases.h"
 
 namespace rt::grade

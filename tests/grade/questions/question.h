@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/grade/candidate.h"
+#include "tests/grade/questions/in_float.h"
 #include "tests/lessons/scenes.h"
 #include "tests/grade/questions/random.h"
 
@@ -15,14 +16,6 @@ namespace rt::grade
 
 using cases::Build;
 using V = Vec3<double>;
-
-/// A lesson's own cases take their tolerance from the subject's scalar type. Students may compute in float.
-template <class Subject>
-Subject inFloat(Subject subject)
-{
-    subject.epsilon = std::max(subject.epsilon, double(std::numeric_limits<float>::epsilon()));
-    return subject;
-}
 
 /// A value is wrong if it is not finite or !(|a - b| <= absolute + relative * |b|), b being the lesson's.
 struct Tolerance
