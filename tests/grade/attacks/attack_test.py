@@ -96,7 +96,7 @@ def check(attack, result, folder, verdicts):
     if "remark" in attack:
         verdicts.that(name, any(attack["remark"] in remark for remark in data["remarks"]), f"no remark says \"{attack['remark']}\": {data['remarks']}")
     if "message" in attack:
-        verdicts.that(name, attack["message"] in told, f"nothing says \"{attack['message']}\": {data['reason']} {data['compilerErrors']}")
+        verdicts.that(name, attack["message"] in told, f"nothing says \"{attack['message']}\": {data['reason']} {data['compiler_errors']}")
     verdicts.that(name, "/tmp/" not in told and str(ROOT) not in told, "a path of ours is told")
 
 
