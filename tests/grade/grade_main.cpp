@@ -1,5 +1,6 @@
 // The program `grade`: a class of submissions in, a gradebook out.
 
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
@@ -172,8 +173,8 @@ void show(const Progress& progress)
                                           {"of", progress.of},
                                           {"student", cleanLine(result.student)},
                                           {"state", name(result.state)},
-                                          {"points", result.points()},
-                                          {"most", result.most()},
+                                          {"points", std::round(result.points() * 1e6) / 1e6},
+                                          {"most", std::round(result.most() * 1e6) / 1e6},
                                           {"kept", progress.kept}}
                                .dump());
     std::fflush(stdout);
@@ -226,7 +227,7 @@ int run(const Options& options)
     writeClass(options.out, done.results);
     std::cerr << fmt::format("grade: {} graded, {} kept; {}/gradebook.csv and class.html\n", done.graded, done.kept,
                              options.out);
-    return done.graderErrors ? exitGraderError : exitDone;
+    return done.graderErrors ? int(exitGraderError) : int(exitDone);
 }
 
 } // namespace
