@@ -250,6 +250,7 @@ class Working(unittest.TestCase):
             self.assertIn("right: all", self.run_in(*learn[:-1], str(lesson)))
         self.assertIn("all exercises are right", self.run_in(*learn[:-1], "8"))
 
+        self.run_in("cmake", "--build", "build/student", "--target", "exercise02")
         # The picture, and the command that `learn` names.
         self.run_in("build/student/bin/exercise02", "--size", "32x24", "--out", str(place / "mine.png"))
         self.assertTrue((place / "mine.png").exists())

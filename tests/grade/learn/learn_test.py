@@ -3,6 +3,7 @@
 
     learn_test.py PROGRAM [TEST...]
 """
+import fcntl
 import json
 import os
 import pathlib
@@ -11,6 +12,7 @@ import re
 import select
 import shutil
 import signal
+import struct
 import subprocess
 import sys
 import tempfile
@@ -262,9 +264,10 @@ class Watching(Learning):
             self.assertTrue(before[3] & termios.ECHO)
             terminal.until(READY)
             self.assertFalse(termios.tcgetattr(terminal.end)[3] & termios.ECHO)
-            end(terminal)
-            slave = os.open(os.ptsname(terminal.end), os.O_RDWR | os.O_NOCTTY)  # it keeps its state while somebody has it
+            number = struct.unpack("i", fcntl.ioctl(terminal.end, 0x80045430, bytes(4)))[0]  # TIOCGPTN
+            slave = os.open(f"/dev/pts/{number}", os.O_RDWR | os.O_NOCTTY)  # it keeps its state while somebody has it
             self.addCleanup(os.close, slave)
+            end(terminal)
             self.assertEqual(terminal.wait(), code)
             self.assertEqual(termios.tcgetattr(slave), before)
 
