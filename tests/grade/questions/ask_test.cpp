@@ -188,8 +188,7 @@ TEST_P(Lesson, MarksEachKnownMistake)
         EXPECT_GT(shown, 0) << mutant.id << ": " << mutant.mistake;
         EXPECT_GT(hidden, 0) << mutant.id << ": " << mutant.mistake;
         std::string names;
-        for (const auto& [sentence, count] : named)
-            names += (names.empty() ? "" : " / ") + sentence.substr(sentence.find(": ") + 2);
+        for (const auto& [sentence, count] : named) names += (names.empty() ? "" : " / ") + sentence;
         const auto line =
             fmt::format("{} {:.2f} of {:.0f}, named: {}", mutant.id, sum(answers, &ClassResult::points), most, names);
         if (std::getenv("RAYTREE_SHOW_MARKS"))
