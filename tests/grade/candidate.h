@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <functional>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 #include "tests/grade/result.h"
 #include "tests/lessons/lesson00_cases.h"
@@ -27,11 +29,16 @@ struct Died : std::runtime_error
     Outcome outcome;
 };
 
-/// Something of ours failed, as a box that cannot be started: no verdict about a student. Whoever catches what a candidate
-/// throws lets this one pass.
-struct GraderError : std::runtime_error
+/// Something of ours failed, as a box that cannot be started: no verdict about a student. It is no std::exception on purpose:
+/// whoever catches what a student's code throws lets this one pass.
+class GraderError
 {
-    using std::runtime_error::runtime_error;
+public:
+    explicit GraderError(std::string why) : sentence(std::move(why)) {}
+    const char* what() const { return sentence.c_str(); }
+
+private:
+    std::string sentence;
 };
 
 /// The lesson itself, in double: what the answers of a student are compared with. Lesson 00 to 08.

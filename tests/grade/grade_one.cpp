@@ -77,6 +77,11 @@ SubmissionResult gradeOne(const Submission& submission, const Taken& taken, cons
     result.reason = taken.reason;
     result.remarks = taken.remarks;
     if (taken.state != State::graded) return result;
+    const auto failed = [&result](const char* why) {
+        result.state = State::graderError;
+        result.reason = why;
+        result.classes.clear();
+    };
     try
     {
         const Box box{setting.sandbox, worker};
@@ -108,7 +113,7 @@ SubmissionResult gradeOne(const Submission& submission, const Taken& taken, cons
         if (mayBeUninitialised(answers))
         {
             const auto zero = compileSubmission(box, setting.lesson, taken.text, folder, Fill::zero);
-            options.twice = options.mistakes = options.pictures = false;
+            options.twice = options.mistakes = options.pictures = false; // classes of numbers tell it as well
             if (zero.ok)
                 if (const auto remark = uninitialised(answers, ask(zero.program, options)))
                     answers.remarks.push_back(*remark);
@@ -122,9 +127,11 @@ SubmissionResult gradeOne(const Submission& submission, const Taken& taken, cons
     }
     catch (const std::exception& error)
     {
-        result.state = State::graderError;
-        result.reason = error.what();
-        result.classes.clear();
+        failed(error.what());
+    }
+    catch (const GraderError& error)
+    {
+        failed(error.what());
     }
     result.seconds = secondsSince(start);
     return result;

@@ -54,7 +54,7 @@ struct ClassResult
     Outcome outcome = Outcome::passed;
     std::optional<Example> example;        ///< the first failing case; never of hidden ones
     std::optional<PictureTriple> pictures; ///< never of hidden ones
-    std::string mistake;                   ///< "looks like this: n1 and n2 are swapped"; empty: unknown
+    std::string mistake;                   ///< "n1 and n2 are swapped"; empty: unknown
 };
 
 /// How far a submission came.

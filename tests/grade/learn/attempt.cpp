@@ -75,9 +75,9 @@ void judge(Attempt& attempt, const OneCase& which, const Subject& subject, const
         fail(died.outcome, {"the case ran", "to its end", died.what(), std::nullopt});
         return;
     }
-    catch (const GraderError&)
+    catch (const GraderError& error)
     {
-        throw;
+        throw std::runtime_error(error.what());
     }
     catch (const std::exception& error)
     {

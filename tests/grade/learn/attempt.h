@@ -22,7 +22,7 @@ struct Attempt
     std::string name, slide; ///< of the first case that fails: "Reflect: keeps the angle to the normal"
     Example example;         ///< of that case
     std::optional<PictureTriple> pictures; ///< of the first picture that is wrong
-    std::string mistake;                   ///< "this looks like: ..."; empty: unknown
+    std::string mistake;                   ///< "n1 and n2 are swapped"; empty: unknown
 };
 
 /// Runs the own cases of a lesson on a candidate: first those of the exercise `first`, then, as long as the candidate does not

@@ -36,8 +36,15 @@ void nameMistake(Attempt& attempt, const std::string& id, const Candidate& candi
     if (attempt.outcome != Outcome::wrong) return;
     const auto known = storedMistakes(lesson);
     if (known.empty()) return;
-    const auto likely = likelyMistakes(ownCasesAnswers(candidate, lesson), known);
-    if (const auto found = likely.find(id); found != likely.end()) attempt.mistake = found->second;
+    try
+    {
+        const auto likely = likelyMistakes(ownCasesAnswers(candidate, lesson), known);
+        if (const auto found = likely.find(id); found != likely.end()) attempt.mistake = found->second;
+    }
+    catch (const GraderError& error)
+    {
+        throw std::runtime_error(error.what());
+    }
 }
 
 } // namespace

@@ -90,7 +90,7 @@ std::string attemptText(const Session& session, const Exercise& exercise, const 
     text += indented(fmt::format("{}\nexpected {}\ngot      {}\n", onOneLine(example.what, 500),
                                  onOneLine(example.expected, 500), onOneLine(example.got, 500)));
     text.resize(text.find_last_not_of(' ') + 1);
-    if (!attempt.mistake.empty()) text += "  " + paint(attempt.mistake, bold, look) + "\n";
+    if (!attempt.mistake.empty()) text += "  " + paint("this looks like: " + attempt.mistake, bold, look) + "\n";
     return text;
 }
 

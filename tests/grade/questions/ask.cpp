@@ -106,9 +106,11 @@ Answers gradeCandidate(int lesson, const std::function<Candidate()>& start, cons
 std::optional<std::string> uninitialised(const Answers& pattern, const Answers& zero)
 {
     std::vector<std::string> exercises;
-    for (std::size_t i = 0; i < std::min(pattern.classes.size(), zero.classes.size()); ++i)
-        if (pattern.classes[i].outcome != Outcome::passed && zero.classes[i].outcome == Outcome::passed)
-            addOnce(exercises, pattern.classes[i].exercise);
+    for (const auto& one : pattern.classes)
+        for (const auto& other : zero.classes)
+            if (one.exercise == other.exercise && one.name == other.name && one.hidden == other.hidden &&
+                one.outcome != Outcome::passed && other.outcome == Outcome::passed)
+                addOnce(exercises, one.exercise);
     if (exercises.empty()) return std::nullopt;
     return fmt::format("a variable is read before it is set, in {}", fmt::join(exercises, ", "));
 }

@@ -123,7 +123,7 @@ std::map<std::string, std::string> likelyMistakes(const WrongAnswers& wrong, con
             if (const std::pair rank(share, int(shares.size())); rank > best[exercise])
             {
                 best[exercise] = rank;
-                sentences[exercise] = "this looks like: " + one.mistake;
+                sentences[exercise] = one.mistake;
             }
     }
     return sentences;
