@@ -137,6 +137,15 @@ TEST(Attempt, ShowsThePictureOfAWrongExerciseAndNotOfAnother)
     EXPECT_FALSE(attempts.at("02-mirror").pictures);
 }
 
+TEST(Attempt, ShowsNoPictureThatIsMagentaBecauseAnotherExerciseIsMissing)
+{
+    auto candidate = local<exercise02::Tracer>();
+    candidate.tracer.reflect = [](const Vec3<double>& D, const Vec3<double>&) { return D; };
+    const auto attempts = runCases(candidate, exercisesOf(2), "02-reflect");
+    EXPECT_EQ(attempts.at("02-reflect").outcome, Outcome::wrong);
+    EXPECT_FALSE(attempts.at("02-reflect").pictures);
+}
+
 TEST(Attempt, TakesWhatExercisesThrowForWrong)
 {
     auto candidate = local<solved02::Tracer>();

