@@ -45,9 +45,9 @@ ClassRun gradeClass(const std::vector<Submission>& all, const ClassSetting& sett
                     const std::function<void(const Progress&)>& report)
 {
     const auto submissions = partOf(all, setting.shard);
-    files::create_directories(setting.out);
     std::vector<std::optional<SubmissionResult>> results(submissions.size());
     ClassRun run;
+    run.of = submissions.size();
     std::mutex reporting;
     std::size_t done = 0;
     std::string broken; // why a worker could not go on

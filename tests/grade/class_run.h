@@ -38,6 +38,7 @@ struct Progress
 
 struct ClassRun
 {
+    std::size_t of = 0;                    ///< submissions in this part of the class
     std::vector<SubmissionResult> results; ///< in the order of the submissions; those that were interrupted are missing
     int graded = 0, kept = 0;
     bool interrupted = false, graderErrors = false;

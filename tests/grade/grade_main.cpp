@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "common/cli.h"
@@ -46,11 +47,13 @@ void addOptions(CLI::App& app, Options& options)
     auto* many = app.add_option("--submissions", options.submissions,
                                 "folder of the class: each entry is a student's folder, archive or file")
                      ->type_name("DIR");
-    app.add_option("--submission", options.submission, "one student's folder, archive or file, in place of a class")
-        ->type_name("PATH")
-        ->excludes(many);
+    auto* one =
+        app.add_option("--submission", options.submission, "one student's folder, archive or file, in place of a class")
+            ->type_name("PATH")
+            ->excludes(many);
     app.add_option("--student", options.student, "with --submission: the student's name; default: the file's")
-        ->type_name("NAME");
+        ->type_name("NAME")
+        ->needs(one);
     app.add_option("--out", options.out, "folder of the results")->type_name("DIR");
     app.add_option("--secret", options.secret,
                    "file of the course's secret, at least 16 bytes: it decides the hidden cases; default: made once, "
@@ -98,23 +101,82 @@ Shard shardOf(const std::string& text)
     return shard;
 }
 
-/// The course's secret, or one that is made for these results and kept beside them.
+std::vector<Submission> submissionsOf(const Options& options)
+{
+    if (options.submission.empty())
+    {
+        auto all = listSubmissions(options.submissions);
+        if (all.empty())
+            throw std::runtime_error(options.submissions +
+                                     ": there are no submissions in this folder, expected one entry a student");
+        return all;
+    }
+    namespace fs = std::filesystem;
+    const auto path = fs::absolute(options.submission).lexically_normal();
+    const auto last = path.has_filename() ? path : path.parent_path();
+    std::error_code ignored;
+    if (!fs::exists(fs::symlink_status(last, ignored)))
+        throw std::runtime_error(options.submission +
+                                 ": there is no such file or folder, expected a student's submission");
+    return {{options.student.empty() ? studentOf(last.string()) : options.student, last.string()}};
+}
+
+std::runtime_error notWritable(const std::string& out, const std::string& why)
+{
+    return std::runtime_error(
+        fmt::format("{}: results cannot be written there ({}), expected a folder to write to", out, why));
+}
+
+/// Nothing is graded that cannot be written. Makes nothing yet.
+void checkWritable(const std::string& out)
+{
+    namespace fs = std::filesystem;
+    std::error_code ignored;
+    auto at = fs::absolute(out).lexically_normal();
+    while (!fs::exists(at, ignored) && at != at.parent_path()) at = at.parent_path();
+    if (!fs::is_directory(at, ignored)) throw notWritable(out, at.string() + " is not a folder");
+    if (::access(at.c_str(), W_OK | X_OK) != 0) throw notWritable(out, at.string() + " is read-only for this user");
+}
+
+void makeFolder(const std::string& out)
+{
+    std::error_code error;
+    std::filesystem::create_directories(out, error);
+    if (error) throw notWritable(out, error.message());
+}
+
+std::string ownSecret(const Options& options)
+{
+    return options.out + "/secret";
+}
+
+void makeSecret(const std::string& path)
+{
+    std::random_device device;
+    std::string digits;
+    for (int i = 0; i < 8; ++i) digits += fmt::format("{:08x}", device());
+    constexpr mode_t ownerOnly = 077;
+    const auto before = ::umask(ownerOnly);
+    writeTextFile(path, digits + "\n");
+    ::umask(before);
+    std::cerr << fmt::format("grade: no --secret was given, so one was made: keep {} to grade the same way again\n",
+                             path);
+}
+
+/// The course's secret, or the one that was made for these results; empty: it is still to be made.
 std::string secretOf(const Options& options)
 {
     constexpr std::size_t least = 16;
-    const std::string own = options.out + "/secret";
-    if (options.secret.empty() && !std::filesystem::exists(own))
+    const auto path = options.secret.empty() ? ownSecret(options) : options.secret;
+    if (options.secret.empty() && !std::filesystem::exists(path))
     {
-        std::filesystem::create_directories(options.out);
-        std::random_device device;
-        std::string digits;
-        for (int i = 0; i < 8; ++i) digits += fmt::format("{:08x}", device());
-        writeTextFile(own, digits + "\n");
-        std::filesystem::permissions(own, std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
-        std::cerr << fmt::format("grade: no --secret was given, so one was made: keep {} to grade the same way again\n",
-                                 own);
+        if (!options.shard.empty())
+            throw CLI::ValidationError("--shard",
+                                       "all parts of a class need the same secret; name its file with --secret");
+        return "";
     }
-    const auto path = options.secret.empty() ? own : options.secret;
+    if (!std::filesystem::is_regular_file(path))
+        throw std::runtime_error(path + ": there is no such file, expected the course's secret");
     auto secret = readTextFile(path);
     if (secret.size() < least)
         throw std::runtime_error(
@@ -192,28 +254,24 @@ int run(const Options& options)
     if (options.submissions.empty() == options.submission.empty()) throw CLI::RequiredError("--submissions");
     if (options.out.empty()) throw CLI::RequiredError("--out");
 
-    std::vector<Submission> submissions;
-    if (!options.submission.empty())
-    {
-        const std::filesystem::path path = std::filesystem::absolute(options.submission).lexically_normal();
-        const auto last = path.has_filename() ? path : path.parent_path();
-        submissions.push_back({options.student.empty() ? last.stem().string() : options.student, last.string()});
-    }
-    else
-        submissions = listSubmissions(options.submissions);
-    if (submissions.empty())
-        throw std::runtime_error(options.submissions + ": there are no submissions in this folder");
-
+    const auto submissions = submissionsOf(options);
     ClassSetting setting;
     setting.shard = shardOf(options.shard);
     setting.out = options.out;
     setting.jobs = options.jobs;
     setting.resume = options.resume;
     setting.setting.lesson = options.lesson;
+    setting.setting.secret = {secretOf(options), options.term};
+    checkWritable(options.out);
     setting.setting.sandbox = sandboxOf(options);
+    makeFolder(options.out);
+    if (setting.setting.secret.course.empty())
+    {
+        makeSecret(ownSecret(options));
+        setting.setting.secret.course = secretOf(options);
+    }
     setting.setting.limits.cpuSeconds = options.cpuSeconds;
     setting.setting.limits.wallSeconds = 2.4 * options.cpuSeconds;
-    setting.setting.secret = {secretOf(options), options.term};
     setting.setting.grader = graderHash();
 
     watchInterrupt();
@@ -221,7 +279,7 @@ int run(const Options& options)
     if (done.interrupted)
     {
         std::cerr << fmt::format("grade: interrupted after {} of {}; the same command with --resume goes on\n",
-                                 done.results.size(), submissions.size());
+                                 done.results.size(), done.of);
         return exitInterrupted;
     }
     writeClass(options.out, done.results);

@@ -100,6 +100,14 @@ void choose(const std::vector<PackedFile>& files, int lesson, Taken& taken)
 
 } // namespace
 
+std::string studentOf(const std::string& path)
+{
+    const auto name = fs::path(path).filename().string();
+    std::error_code ignored;
+    if (fs::symlink_status(path, ignored).type() == fs::file_type::directory) return name;
+    return name.substr(0, name.size() - endingOf(name).size());
+}
+
 std::vector<Submission> listSubmissions(const std::string& directory)
 {
     std::vector<Submission> all;
@@ -110,9 +118,8 @@ std::vector<Submission> listSubmissions(const std::string& directory)
         if (name[0] == '.') continue;
         std::error_code ignored;
         const bool isFolder = fs::symlink_status(entry->path(), ignored).type() == fs::file_type::directory;
-        const auto ending = isFolder ? "" : endingOf(name);
-        if (!isFolder && ending.empty()) continue;
-        all.push_back({name.substr(0, name.size() - ending.size()), entry->path().string()});
+        if (!isFolder && endingOf(name).empty()) continue;
+        all.push_back({studentOf(entry->path().string()), entry->path().string()});
     }
     if (error) throw std::runtime_error(fmt::format("{} cannot be read: {}", directory, error.message()));
     std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.path < b.path; });

@@ -19,6 +19,9 @@ struct Submission
 /// passed over. Throws std::runtime_error if the directory cannot be read or two entries name the same student.
 std::vector<Submission> listSubmissions(const std::string& directory);
 
+/// The student that an entry belongs to: its last name, of files without the ending.
+std::string studentOf(const std::string& path);
+
 struct Taken
 {
     State state = State::missing;     ///< graded: `text` is to be graded; else missing or refused
