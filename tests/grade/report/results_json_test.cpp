@@ -89,7 +89,7 @@ SubmissionResult anyResult()
         if (*rc::gen::arbitrary<bool>()) one.example = Example{*text(), *text(), *text(), {}};
         if (one.example && *rc::gen::arbitrary<bool>()) one.example->degrees = *amount();
         if (*rc::gen::arbitrary<bool>())
-            one.pictures = PictureTriple{*text(), {}, {}, {}, *rc::gen::inRange(0, 99), 7, *text(), *text()};
+            one.pictures = PictureTriple{*text(), {}, {}, {}, *rc::gen::inRange(0, 99), 7, *text(), *text(), {}};
     }
     return result;
 }
