@@ -5,7 +5,11 @@
 #include <mutex>
 #include <thread>
 
+#include <fmt/format.h>
+
+#include "common/image.h"
 #include "tests/grade/report/files.h"
+#include "tests/grade/report/text.h"
 
 namespace rt::grade
 {
@@ -29,6 +33,20 @@ std::optional<SubmissionResult> earlier(const std::string& path, const std::stri
         // Not one of ours, or of another version: it is made again.
     }
     return std::nullopt;
+}
+
+/// The scenes of failing pictures as files that the reports name: reports/scenes/06-glass.toml. They are the same for all.
+void writeScenes(SubmissionResult& result, const std::string& out)
+{
+    for (auto& one : result.classes)
+    {
+        if (!one.pictures || one.pictures->scene.empty()) continue;
+        const auto name = fmt::format("{:02}-{}.toml", result.lesson, pageName(one.name));
+        files::create_directories(out + "/reports/scenes");
+        writeTextFile(out + "/reports/scenes/" + name, one.pictures->scene);
+        auto& command = one.pictures->command;
+        if (const auto at = command.find("SCENE"); at != std::string::npos) command.replace(at, 5, "scenes/" + name);
+    }
 }
 
 std::vector<Submission> partOf(const std::vector<Submission>& all, const Shard& shard)
@@ -63,6 +81,7 @@ ClassRun gradeClass(const std::vector<Submission>& all, const ClassSetting& sett
         {
             result = gradeOne(submission, taken, setting.setting, worker, folder, stop);
             if (stop) return;
+            writeScenes(*result, setting.out);
             writeReports(setting.out, *result, setting.hidden);
         }
         const std::lock_guard lock(reporting);

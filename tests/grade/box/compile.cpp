@@ -119,7 +119,7 @@ Compiled compileSubmission(const Box& box, int lesson, const std::string& exerci
                            Fill fill)
 {
     Compiled result;
-    result.remarks = remarksOn(exerciseText);
+    result.remarks = remarksOn(exerciseText, lesson);
     if (box.sandbox == Sandbox::chroot) result.reason = unsafeToCompile(exerciseText);
     if (!result.reason.empty()) return result;
 

@@ -195,6 +195,9 @@ TEST(SourceText, RemarksOnCodeOnly)
     EXPECT_TRUE(remarksOn("// glm::reflect\nreflect(a)").empty());
     EXPECT_EQ(remarksOn("namespace g = glm; g :: refract(a)"), std::vector<std::string>{"glm::refract is used"});
     EXPECT_EQ(remarksOn("using glm::reflect;"), std::vector<std::string>{"glm::reflect is used"});
+    EXPECT_EQ(remarksOn("b = !scene.occluded(I, L, dist);", 1).size(), 1U);
+    EXPECT_TRUE(remarksOn("b = !scene.occluded(I, L, dist, *this);", 1).empty());
+    EXPECT_TRUE(remarksOn("b = !scene.occluded(I, L, dist);", 2).empty());
 }
 
 TEST(SourceText, NothingInATextExhaustsUs)

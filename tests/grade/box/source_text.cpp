@@ -103,7 +103,7 @@ std::string squeezed(const std::string& text)
     return result;
 }
 
-std::vector<std::string> remarksOn(const std::string& text)
+std::vector<std::string> remarksOn(const std::string& text, int lesson)
 {
     const auto code = squeezed(codeOnly(text));
     std::set<std::string> names = {"glm"};
@@ -122,6 +122,16 @@ std::vector<std::string> remarksOn(const std::string& text)
             }
     static const std::regex all(R"(using\s+namespace\s+(?:::\s*)?glm\b)");
     if (std::regex_search(code, all)) remarks.push_back("using namespace glm: its reflect and refract may be used");
+    static const std::regex asked(R"(\b(occluded|intersect)\s*\(([^;]{0,200});)");
+    for (std::sregex_iterator found(code.begin(), code.end(), asked), end; lesson == 1 && found != end; ++found)
+        if (const std::string arguments = (*found)[2]; arguments.find("*this") == std::string::npos)
+        {
+            remarks.push_back(
+                fmt::format("scene.{} is asked without *this as its last argument: in lesson 01 the formulas are "
+                            "yours, the scene has none of its own",
+                            std::string((*found)[1])));
+            break;
+        }
     return remarks;
 }
 
