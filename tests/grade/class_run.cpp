@@ -9,7 +9,6 @@
 
 #include "common/image.h"
 #include "tests/grade/report/files.h"
-#include "tests/grade/report/text.h"
 
 namespace rt::grade
 {
@@ -41,7 +40,9 @@ void writeScenes(SubmissionResult& result, const std::string& out)
     for (auto& one : result.classes)
     {
         if (!one.pictures || one.pictures->scene.empty()) continue;
-        const auto name = fmt::format("{:02}-{}.toml", result.lesson, pageName(one.name));
+        std::string words = one.name.starts_with("picture: ") ? one.name.substr(9) : one.name;
+        std::replace(words.begin(), words.end(), ' ', '-');
+        const auto name = fmt::format("{:02}-{}.toml", result.lesson, words);
         files::create_directories(out + "/reports/scenes");
         writeTextFile(out + "/reports/scenes/" + name, one.pictures->scene);
         auto& command = one.pictures->command;
