@@ -7,5 +7,5 @@ int main(int argc, char** argv)
 {
     using namespace rt;
     return exerciseMain(exerciseEntry<7, exercise07::Tracer>(lessonFacts(7), "lessons/07_recursion_caps/exercise.h"),
-                        argc, argv);
+                        exerciseFormulas<exercise07::Tracer>(), argc, argv);
 }
