@@ -133,6 +133,7 @@ class Recipes(unittest.TestCase):
             self.assertEqual(os.access(COURSE / name, os.X_OK), os.access(ROOT / name, os.X_OK), name)
         self.assertEqual(os.stat(PLACE / "autograder.zip").st_mode & 0o777, 0o600)
         self.assertEqual((PLACE / "source/secret").read_text(), SECRET)
+        self.assertEqual((PLACE / "source/secret").stat().st_mode & 0o777, 0o600)
         for line, says in (((9, "t", PLACE / "secret"), "lesson"), ((2, "a b", PLACE / "secret"), "term"), ((2, "t", PLACE / "missing"), "secret"), ((2,), "usage")):
             _, err = pack(*line, code=2)
             self.assertIn(says, err)
