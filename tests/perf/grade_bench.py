@@ -66,7 +66,7 @@ def main():
     parser.add_argument("--jobs", type=int, default=2)
     args = parser.parse_args()
     if args.size < 4:
-        sys.exit("grade_bench: --class: expected at least 4 submissions")
+        parser.error("--class: expected at least 4 submissions")
     with tempfile.TemporaryDirectory() as scratch:
         place = pathlib.Path(scratch)
         place.chmod(0o755)  # the box's user goes through it
