@@ -20,7 +20,7 @@ import unittest
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path[1:1] = [str(HERE.parent), str(HERE)]
-from classroom import HOSTILE, SECRET, data_of, make_class, outputs, results_of
+from classroom import HOSTILE, SECRET, data_of, exercise_text, make_class, outputs, results_of
 from programs import BIN
 
 PLACE = pathlib.Path(tempfile.mkdtemp())  # of the class, and of the run that is the reference for all others
@@ -81,6 +81,16 @@ def alive(process):
         return False
 
 
+def processor_seconds(process):
+    """Of a program in bubblewrap's box; 0 for any other, as the compiler."""
+    try:
+        if pathlib.Path(f"/proc/{process}/comm").read_text() != "program\n":
+            return 0
+        return int(pathlib.Path(f"/proc/{process}/stat").read_text().rsplit(")", 1)[1].split()[11]) / os.sysconf("SC_CLK_TCK")
+    except OSError:
+        return 0
+
+
 class Grade(unittest.TestCase):
     maxDiff = 2000
 
@@ -88,6 +98,9 @@ class Grade(unittest.TestCase):
         self.here = pathlib.Path(tempfile.mkdtemp(dir=PLACE))
         self.here.chmod(0o755)
         self.addCleanup(shutil.rmtree, self.here)
+        self.scratch = self.here / "scratch"  # of the grader: what is killed leaves its folders
+        self.scratch.mkdir()
+        os.environ["TMPDIR"] = str(self.scratch)
 
     def grade(self, *arguments, code=0, env=None, **how):
         done = run(command(*arguments, **how), env=env)
@@ -157,7 +170,7 @@ class Grade(unittest.TestCase):
                 ("not a folder", command(out=self.here / "file", secret=None))):
             with self.subTest(says, line=line[1:]):
                 self.refused(*line, says=says)
-        self.assertEqual(sorted(path.name for path in self.here.iterdir()), ["empty", "file", "short"])
+        self.assertEqual(sorted(path.name for path in self.here.iterdir()), ["empty", "file", "scratch", "short"])
 
     def test_results_that_cannot_be_written_are_refused_before_grading(self):
         if os.getuid() == 0:
@@ -172,6 +185,7 @@ class Grade(unittest.TestCase):
         if os.getuid() != 0 or run(["unshare", "--mount", "true"]).returncode:
             self.skipTest("only root can hide bubblewrap")
         self.here.chmod(0o777)
+        self.scratch.chmod(0o777)
         hidden = 'mount --bind /dev/null "$(command -v bwrap)" && exec setpriv --reuid 65534 --regid 65534 --clear-groups "$@"'
         for sandbox in ("auto", "bubblewrap", "chroot"):
             self.refused("unshare", "--mount", "--propagation", "private", "sh", "-c", hidden, "sh",
@@ -208,6 +222,7 @@ class Grade(unittest.TestCase):
         self.assertEqual(code, 130, err)
         self.assertRegex(err, rf"^grade: interrupted after {len(done)} of {len(STUDENTS)}; .*--resume.*\n$")
         self.assertFalse(list(out.rglob(".part-*")), "half a file is left")
+        self.assertFalse(list(self.scratch.iterdir()), "a folder of programs is left")
         self.resumed(out, done)
 
     def test_a_killed_run_goes_on(self):
@@ -216,6 +231,24 @@ class Grade(unittest.TestCase):
         for path in out.rglob(".part-*"):
             path.unlink()  # a file that was being written; nobody reads it
         self.resumed(out, done)
+
+    def test_a_program_dies_with_a_killed_grader(self):
+        if data_of(WHOLE)["ada"]["sandbox"] != "bubblewrap":
+            self.skipTest("without bubblewrap it lives until its time is over")
+        (self.here / "endless").mkdir()
+        (self.here / "endless/exercise.h").write_text(exercise_text(2, "solved") + "static const int endless = [] { for (volatile int i = 0;; ++i) {} return 0; }();\n")
+        process = subprocess.Popen(command("--submission", self.here / "endless", "--cpu-seconds", 100, out=self.here / "out", submissions=None))
+        end = time.monotonic() + 100
+        while not (spinning := [one for one in descendants(process.pid) if processor_seconds(one) > 1.5]):  # the self-test's has 1 s
+            self.assertTrue(time.monotonic() < end and process.poll() is None, "it does not run")
+            time.sleep(0.1)
+        process.kill()
+        process.wait()
+        time.sleep(2)
+        left = [one for one in spinning if alive(one)]
+        for one in left:
+            os.kill(one, signal.SIGKILL)
+        self.assertFalse(left)
 
     def test_parts_make_the_same_gradebook_as_the_whole(self):
         parts = [self.here / "1", self.here / "2"]

@@ -239,6 +239,16 @@ TEST_F(Package, NothingInATextExhaustsUs)
     }
 }
 
+TEST_F(Package, AStudentIsNamedByTheEntry)
+{
+    fs::create_directories(at("ada.b"));
+    write("dora.tar.gz", "");
+    write("eve.h", "");
+    EXPECT_EQ(studentOf(at("ada.b")), "ada.b"); // a folder has no ending
+    EXPECT_EQ(studentOf(at("dora.tar.gz")), "dora");
+    EXPECT_EQ(studentOf(at("eve.h")), "eve");
+}
+
 TEST_F(Package, EachEntryIsAStudent)
 {
     write("class/anna/exercise.h", six);

@@ -125,6 +125,15 @@ class Recipes(unittest.TestCase):
         finally:
             stub("cmake", f'echo "$@" >>"{PLACE}/cmake.log"\n')
 
+    def test_who_comes_second_waits_for_the_build(self):
+        stub("cmake", f'echo starts >>"{PLACE}/cmake.log"; sleep 1; echo ends >>"{PLACE}/cmake.log"\n')
+        try:
+            both = [subprocess.Popen(["./raytree", word, "--help"], cwd=COURSE, env=ENV, stdout=subprocess.DEVNULL) for word in ("grade", "merge")]
+            self.assertEqual([one.wait(timeout=60) for one in both], [0, 0])
+            self.assertEqual((PLACE / "cmake.log").read_text().split(), ["starts", "ends"] * 2)
+        finally:
+            stub("cmake", f'echo "$@" >>"{PLACE}/cmake.log"\n')
+
     def test_gradescope_packs_the_whole_course_and_keeps_it_private(self):
         listed = subprocess.run(["git", "-C", str(ROOT), "ls-files", "-z"], capture_output=True, text=True).stdout.split("\0")[:-1]
         packed = sorted(str(path.relative_to(COURSE)) for path in COURSE.rglob("*") if path.is_file() and COURSE / "build" not in path.parents)
@@ -133,6 +142,7 @@ class Recipes(unittest.TestCase):
             self.assertEqual(os.access(COURSE / name, os.X_OK), os.access(ROOT / name, os.X_OK), name)
         self.assertEqual(os.stat(PLACE / "autograder.zip").st_mode & 0o777, 0o600)
         self.assertEqual((PLACE / "source/secret").read_text(), SECRET)
+        self.assertEqual((PLACE / "source/secret").stat().st_mode & 0o777, 0o600)
         for line, says in (((9, "t", PLACE / "secret"), "lesson"), ((2, "a b", PLACE / "secret"), "term"), ((2, "t", PLACE / "missing"), "secret"), ((2,), "usage")):
             _, err = pack(*line, code=2)
             self.assertIn(says, err)

@@ -15,6 +15,7 @@ mkdir "$folder/raytree"
 cp "$here/setup.sh" "$here/run_autograder" "$folder/"
 chmod +x "$folder/setup.sh" "$folder/run_autograder"
 cp "$3" "$folder/secret"
+chmod 600 "$folder/secret" # students' code must not read it there either
 printf 'LESSON=%s\nTERM_NAME=%s\n' "$1" "$2" >"$folder/course.sh"
 (umask 077 && cd "$folder" && python3 -m zipfile -c "$out.part" ./*)
 mv "$out.part" "$out"
