@@ -828,7 +828,7 @@ TEST(SkyPicture, ThatCannotBeUsedIsRefusedAtItsKey)
 
 std::string reference()
 {
-    std::ifstream file(fs::path(__FILE__).parent_path() / "../../common/SCENES.md");
+    std::ifstream file(fs::path(RAYTREE_SOURCE_DIR) / "common/SCENES.md");
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
