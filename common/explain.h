@@ -19,7 +19,7 @@ struct Formula
 };
 
 /// The lecture's functions themselves, from the lessons that teach them (lessons/formulas.h): an explanation computes nothing
-/// with a copy.
+/// with a copy. Those of an exercise are its own, and may be null before the lesson that teaches them, except phong.
 struct LectureFormulas
 {
     double (*cosSquared2)(double cos1, double n1, double n2);

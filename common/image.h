@@ -33,11 +33,18 @@ void checkWritable(const std::string& path);
 /// at all. Throws std::runtime_error with one sentence.
 void writeImage(const Image& image, const std::string& path);
 
+/// What writeImage puts into a .png, as bytes in memory. Throws std::runtime_error with one sentence.
+std::string pngBytes(const Image& image);
+
 /// Reads a picture as linear RGB (files of whole numbers, as .png, are taken as sRGB). Throws std::runtime_error with one sentence.
 Image readImage(const std::string& path);
 
 /// The 8-bit sRGB value of a linear channel, clamped to [0, 1], rounded to nearest; NaN gives 0.
 unsigned char toSrgb8(double linear);
+
+/// Throws std::runtime_error with one sentence if no file of any kind can be written there: its folder is missing or not
+/// writable, or the path is itself a folder. Call it before long work.
+void checkFolder(const std::string& path);
 
 /// Writes text whole or not at all (a temporary file in the same folder, then a rename). Throws std::runtime_error.
 void writeTextFile(const std::string& path, const std::string& text);

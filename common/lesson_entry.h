@@ -1,11 +1,11 @@
-// A lesson as the programs, the viewer and the tests see it: two functions and what it models.
+// A lesson as the programs, the viewer and the tests see it: its facts and two functions.
 #pragma once
 
 #include <array>
 #include <string>
 #include <variant>
 
-#include "common/features.h"
+#include "common/lesson_facts.h"
 #include "common/ray_tree.h"
 #include "common/render.h"
 #include "common/tree_recorder.h"
@@ -31,15 +31,8 @@ struct GivenRay
 /// Whose tree is wanted: pixel (x, y) of the scene's picture, or one ray.
 using Probe = std::variant<std::array<int, 2>, GivenRay>;
 
-struct LessonEntry
+struct LessonEntry : LessonFacts
 {
-    int number;
-    const char* slug; ///< folder below lessons/
-    const char* title;
-    const char* slides; ///< headings of the lecture
-    const char* source; ///< file, relative to the project, whose lines the trees name
-    const char* scene;  ///< file, relative to the project: its first scene
-    FeatureSet models;
     Image (*render)(const SceneDescription&, Precision, const RenderOptions&);
     RayTree (*inspect)(const SceneDescription&, Precision, const Probe&);
 };

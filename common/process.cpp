@@ -6,18 +6,16 @@
 #include <cmath>
 #include <cstring>
 #include <stdexcept>
-#include <system_error>
 #include <thread>
 
-#include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
-#include <spawn.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <fmt/format.h>
+
+#include "common/spawn.h"
 
 namespace rt
 {
@@ -26,47 +24,6 @@ namespace
 {
 
 constexpr std::size_t errBytes = std::size_t(64) << 10;
-
-/// A file descriptor that closes itself.
-struct Descriptor
-{
-    int fd = -1;
-
-    Descriptor() = default;
-    explicit Descriptor(int given) : fd(given) {}
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    ~Descriptor() { close(); }
-
-    void close()
-    {
-        if (fd >= 0) ::close(fd);
-        fd = -1;
-    }
-};
-
-[[noreturn]] void fail(const std::string& program, int error)
-{
-    throw std::runtime_error(fmt::format("{} cannot be started: {}", program, std::generic_category().message(error)));
-}
-
-/// Both ends above 2, so that putting one into the place of 1 or 2 overwrites no other; not inherited.
-struct Pipe
-{
-    Descriptor read, write;
-
-    explicit Pipe(const std::string& program)
-    {
-        int ends[2];
-        if (::pipe2(ends, O_CLOEXEC) != 0) fail(program, errno);
-        const Descriptor first(ends[0]), second(ends[1]);
-        constexpr int least = 3;
-        read.fd = ::fcntl(first.fd, F_DUPFD_CLOEXEC, least);
-        write.fd = ::fcntl(second.fd, F_DUPFD_CLOEXEC, least);
-        if (read.fd < 0 || write.fd < 0) fail(program, errno);
-        ::fcntl(read.fd, F_SETFL, O_NONBLOCK);
-    }
-};
 
 /// A running program: the leader of its group. Kills the group and buries its leader at the latest when it goes out of scope.
 class Child
@@ -103,36 +60,6 @@ public:
 private:
     pid_t pid;
 };
-
-pid_t spawn(const std::vector<std::string>& argv, int out, int err)
-{
-    posix_spawn_file_actions_t files;
-    posix_spawnattr_t attributes;
-    ::posix_spawn_file_actions_init(&files);
-    ::posix_spawnattr_init(&attributes);
-    ::posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    ::posix_spawn_file_actions_adddup2(&files, out, STDOUT_FILENO);
-    ::posix_spawn_file_actions_adddup2(&files, err, STDERR_FILENO);
-    ::posix_spawn_file_actions_addclosefrom_np(&files, STDERR_FILENO + 1);
-    // Whatever signals we block or ignore, the program starts as from a shell.
-    sigset_t none, all;
-    ::sigemptyset(&none);
-    ::sigfillset(&all);
-    ::posix_spawnattr_setsigmask(&attributes, &none);
-    ::posix_spawnattr_setsigdefault(&attributes, &all);
-    ::posix_spawnattr_setpgroup(&attributes, 0);
-    ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
-
-    std::vector<char*> words;
-    for (const auto& word : argv) words.push_back(const_cast<char*>(word.c_str()));
-    words.push_back(nullptr);
-    pid_t pid = -1;
-    const int error = ::posix_spawnp(&pid, words[0], &files, &attributes, words.data(), environ);
-    ::posix_spawn_file_actions_destroy(&files);
-    ::posix_spawnattr_destroy(&attributes);
-    if (error != 0) fail(argv[0], error);
-    return pid;
-}
 
 /// Limits that hold even when we are gone.
 void limitResources(pid_t pid, double seconds)
@@ -197,16 +124,6 @@ std::string sizeText(std::size_t bytes)
     return fmt::format("{} bytes", bytes);
 }
 
-/// "segmentation fault".
-std::string signalText(int number)
-{
-    const char* known = ::sigdescr_np(number);
-    std::string text = known ? known : fmt::format("signal {}", number);
-    if (text.size() > 1 && text[0] >= 'A' && text[0] <= 'Z' && text[1] >= 'a' && text[1] <= 'z')
-        text[0] = char(text[0] - 'A' + 'a');
-    return text;
-}
-
 /// The first line that says anything, without what would disturb a terminal or a label.
 std::string firstLine(const std::string& text)
 {
@@ -232,7 +149,10 @@ ProcessResult runProcess(const std::vector<std::string>& argv, const ProcessLimi
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
     Pipe out(argv[0]), err(argv[0]);
-    const pid_t pid = spawn(argv, out.write.fd, err.write.fd);
+    setNonBlocking(out.read);
+    setNonBlocking(err.read);
+    const int descriptors[] = {-1, out.write.fd, err.write.fd};
+    const pid_t pid = startProcess(argv, descriptors);
     Child child(pid);
     limitResources(pid, limits.seconds);
     out.write.close();

@@ -51,10 +51,9 @@ void makeFolder(const std::string& path)
 
 void checkExport(const std::string& path)
 {
-    if (!isFormat(fs::path(path).extension())) return makeFolder(path);
-    const auto folder = fs::path(path).parent_path();
-    if (!folder.empty() && !fs::is_directory(folder))
-        throw std::runtime_error(fmt::format("{}: there is no folder {}", path, folder.string()));
+    if (isFormat(fs::path(path).extension())) return checkFolder(path);
+    makeFolder(path);
+    checkFolder(path + "/picture.png"); // a name in it
 }
 
 std::vector<std::string> exportTo(const std::string& path, const Controller& controller)

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <functional>
 #include <map>
 #include <sstream>
@@ -11,16 +10,16 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "common/base64.h"
 #include "common/cli.h"
-#include "viz/base64.h"
+#include "common/image.h"
+#include "common/markup.h"
 #include "viz/controller.h"
 #include "viz/html_data.h"
 #include "viz/picture_view.h"
 
 namespace rt::viz
 {
-
-namespace fs = std::filesystem;
 
 namespace
 {
@@ -55,23 +54,6 @@ std::string readTemplate(const std::string& name)
     return readTextFile(projectFile("viz/html/" + name));
 }
 
-std::string escaped(const std::string& text)
-{
-    std::string result;
-    for (const char c : text)
-        if (c == '&')
-            result += "&amp;";
-        else if (c == '<')
-            result += "&lt;";
-        else if (c == '>')
-            result += "&gt;";
-        else if (c == '"')
-            result += "&quot;";
-        else
-            result += c;
-    return result;
-}
-
 /// JSON that may stand in a script element: nothing in it can end the element or start a comment.
 std::string scriptJson(const nlohmann::json& json)
 {
@@ -91,27 +73,6 @@ std::string scriptJson(const nlohmann::json& json)
     return result;
 }
 
-/// A folder of its own for one picture, gone when it is.
-class TemporaryFolder
-{
-public:
-    TemporaryFolder()
-    {
-        path = (fs::temp_directory_path() / "raytree-XXXXXX").string();
-        if (!mkdtemp(path.data()))
-            throw std::runtime_error(path + ": the folder for the page's picture cannot be made");
-    }
-    ~TemporaryFolder()
-    {
-        std::error_code ignored;
-        fs::remove_all(path, ignored);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    std::string path;
-};
-
 Image asImage(const ScreenPicture& picture)
 {
     Image image(picture.width, picture.height);
@@ -127,16 +88,13 @@ Image asImage(const ScreenPicture& picture)
 std::string pictureUrl(const Image& image)
 {
     if (image.width < 1 || image.height < 1) return "";
-    const TemporaryFolder folder;
-    const auto file = folder.path + "/picture.png";
     const ScreenPicture picture(image);
     std::string png;
     for (const int width : pictureWidths)
     {
         const double scale = std::min(1.0, double(width) / image.width);
         const auto side = int(std::ceil(scale * std::max(image.width, image.height)));
-        writeImage(asImage(picture.reduced(side)), file);
-        png = readTextFile(file);
+        png = pngBytes(asImage(picture.reduced(side)));
         if (png.size() <= pictureBytes) break;
     }
     return "data:image/png;base64," + base64(png);
@@ -197,7 +155,7 @@ std::string htmlPage(const HtmlPage& page)
     std::string script;
     for (const char* name : scripts) script += compact(readTemplate(name));
     return filled(compact(readTemplate("page.html")),
-                  {{"title", escaped(page.title)},
+                  {{"title", escapedMarkup(page.title)},
                    {"style", paletteCss(Look::dark) + paletteCss(Look::light) + compact(readTemplate("page.css"))},
                    {"script", script},
                    {"data", scriptJson(htmlData(page))},

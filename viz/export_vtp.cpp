@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "viz/base64.h"
+#include "common/base64.h"
 #include "viz/rays.h"
 
 namespace rt::viz

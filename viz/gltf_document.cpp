@@ -7,7 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "viz/base64.h"
+#include "common/base64.h"
 
 namespace rt::viz
 {

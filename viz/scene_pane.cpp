@@ -297,26 +297,39 @@ void ScenePane::look(const View& view)
     camera->SetFocalPoint(view.focal.x, view.focal.y, view.focal.z);
     camera->SetViewUp(view.up.x, view.up.y, view.up.z);
     camera->SetViewAngle(view.angle);
+    // What is fitted must not depend on what was seen before.
+    setLineWidth(fittingLineWidth());
+}
+
+/// Lines are as wide as suits the scene, but neither hairs from afar nor pipes near by.
+double ScenePane::fittingLineWidth()
+{
+    const View now = view();
+    const Projector projector(now, area.width, area.height);
+    const double widest = tubeRadius(drawing) * projector.pixelsPerUnit(now.focal);
+    return std::clamp(1.0, 2.3 * scale / widest, 6 * scale / widest);
+}
+
+void ScenePane::setLineWidth(double factor)
+{
+    if (factor != lineWidth)
+    {
+        lineWidth = factor;
+        rebuildRays();
+    }
     renderer()->ResetCameraClippingRange();
-    viewChanged();
 }
 
 void ScenePane::viewChanged()
 {
-    // Lines are as wide as suits the scene, but neither hairs from afar nor pipes near by.
-    const View now = view();
-    const Projector projector(now, area.width, area.height);
-    const double widest = tubeRadius(drawing) * projector.pixelsPerUnit(now.focal);
-    const double factor = std::clamp(1.0, 2.3 * scale / widest, 6 * scale / widest);
-    if (std::abs(factor - lineWidth) < 0.08 * lineWidth) return;
-    lineWidth = factor;
-    rebuildRays();
+    // Small changes are not worth new meshes.
+    const double factor = fittingLineWidth();
+    setLineWidth(std::abs(factor - lineWidth) < 0.08 * lineWidth ? lineWidth : factor);
 }
 
 bool ScenePane::wheel(int, int, bool forward)
 {
     renderer()->GetActiveCamera()->Dolly(forward ? 1.15 : 1 / 1.15);
-    renderer()->ResetCameraClippingRange();
     viewChanged();
     return true;
 }

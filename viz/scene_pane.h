@@ -51,6 +51,8 @@ private:
     std::vector<vec3> shownPoints(bool withLights) const;
     void rebuildChosenPixel();
     void look(const View& view);
+    double fittingLineWidth();
+    void setLineWidth(double factor);
     View view();
     double aspect() const { return double(area.width) / area.height; }
 };

@@ -137,10 +137,18 @@ void Style::OnMouseWheelBackward()
 
 void Style::OnKeyPress()
 {
+    // Who copies with Ctrl+C does not mean key c.
+    if (this->Interactor->GetControlKey() || this->Interactor->GetAltKey()) return;
     int x = 0, y = 0;
     this->Interactor->GetEventPosition(x, y);
     const char* key = this->Interactor->GetKeySym();
     window->key(key ? key : "", this->Interactor->GetShiftKey() != 0, x, y);
+}
+
+void Style::OnKeyRelease()
+{
+    // Otherwise it would be said of all that the mouse does next.
+    this->Interactor->SetKeySym(nullptr);
 }
 
 void Style::OnTimer()

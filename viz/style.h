@@ -1,4 +1,5 @@
-// Mouse and keys, handed to the pane under the pointer. All of VTK's own keys are consumed: several do harm.
+// Mouse and keys, handed to the pane under the pointer. All of VTK's own keys are consumed: several do harm. Nothing is
+// done with Ctrl or Alt.
 #pragma once
 
 #include <vtkInteractorStyleTrackballCamera.h>
@@ -26,7 +27,7 @@ public:
     void OnMouseWheelForward() override;
     void OnMouseWheelBackward() override;
     void OnKeyPress() override;
-    void OnKeyRelease() override {}
+    void OnKeyRelease() override;
     void OnKeyDown() override {}
     void OnKeyUp() override {}
     void OnChar() override {}

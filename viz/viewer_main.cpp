@@ -16,6 +16,7 @@
 #include "viz/choose_source.h"
 #include "viz/display.h"
 #include "viz/export.h"
+#include "viz/recording.h"
 #include "viz/script.h"
 #include "viz/state.h"
 #include "viz/tracer_source.h"
@@ -231,6 +232,9 @@ int view(const ViewerOptions& options, char** argv)
     const auto [width, height] = windowSize(options.windowSize);
     if (!options.screenshot.empty()) checkWritable(options.screenshot);
     if (!options.exportTo.empty()) checkExport(options.exportTo);
+    for (const auto& file : {options.state, options.record})
+        if (!file.empty()) checkFolder(file);
+    if (!options.play.empty()) checkRecording(options.play);
     const auto script = options.script.value_or("");
     const bool isFile = script.find_first_of(";\n") == std::string::npos && std::filesystem::is_regular_file(script);
     const auto commands = parseScript(isFile ? readTextFile(script) : script);
@@ -307,7 +311,9 @@ int viewerMain(int argc, char** argv)
         ->type_name("WHAT");
     app.add_option("--script", options.script, "commands to run, or a file of them, and exit; see below")
         ->type_name("TEXT|FILE");
-    app.add_option("--record", options.record, "write what is done in the window to a file")->type_name("FILE");
+    app.add_option("--record", options.record, "write what is done in the window to a file")
+        ->excludes("--screenshot", "--export", "--script")
+        ->type_name("FILE");
     app.add_option("--play", options.play, "do in the window what was recorded; needs the same --size-window")
         ->type_name("FILE");
     app.add_option("--state", options.state, "at the end, write what is selected and shown as JSON")->type_name("FILE");

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include <fmt/format.h>
 #include <vtkCallbackCommand.h>
@@ -11,6 +9,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include "common/cli.h"
+#include "viz/recording.h"
 
 namespace rt::viz
 {
@@ -105,29 +104,11 @@ void Window::resize(int newWidth, int newHeight)
     if (interactor) window->Render();
 }
 
-namespace
-{
-
-/// A recording must not depend on how fast somebody is, nor end the program that plays it: without timers and key q.
-void tidyRecording(const std::string& file)
-{
-    std::istringstream lines(readTextFile(file));
-    std::string kept;
-    for (std::string line; std::getline(lines, line);)
-    {
-        const bool isKey = line.starts_with("Key") || line.starts_with("Char");
-        if (line.starts_with("TimerEvent") || line.starts_with("RenderEvent")) continue;
-        if (isKey && (line.ends_with(" q") || line.ends_with(" Q"))) continue;
-        kept += line + "\n";
-    }
-    writeTextFile(file, kept);
-}
-
-} // namespace
-
 void Window::run(const std::string& record)
 {
-    vtkNew<vtkInteractorEventRecorder> recorder;
+    const std::string part = record + ".part";
+    if (!record.empty()) writeTextFile(part, ""); // or says now why it cannot be written
+    auto recorder = vtkSmartPointer<vtkInteractorEventRecorder>::New();
     interactor->Initialize();
     window->Render();
     interactor->CreateRepeatingTimer(tickTime);
@@ -135,21 +116,26 @@ void Window::run(const std::string& record)
     {
         recorder->SetInteractor(interactor);
         recorder->KeyPressActivationOff(); // otherwise key i would turn it off
-        recorder->SetFileName(record.c_str());
+        recorder->SetFileName(part.c_str());
         recorder->EnabledOn();
         recorder->Record();
+        // It goes off at key e, which exports here: everything but that key is recorded.
+        vtkNew<vtkCallbackCommand> goOn;
+        goOn->SetCallback([](vtkObject* caller, unsigned long, void*, void*) {
+            static_cast<vtkInteractorEventRecorder*>(caller)->EnabledOn();
+        });
+        recorder->AddObserver(vtkCommand::DisableEvent, goOn);
     }
     interactor->Start();
     if (record.empty()) return;
-    recorder->Stop();
-    recorder->EnabledOff(); // closes the file
-    tidyRecording(record);
+    recorder->RemoveObservers(vtkCommand::DisableEvent);
+    recorder = nullptr; // closes the file
+    writeTextFile(record, tidyRecording(readTextFile(part)));
+    std::filesystem::remove(part);
 }
 
 void Window::replay(const std::string& file)
 {
-    if (!std::ifstream(file))
-        throw std::runtime_error(file + ": expected a file of recorded events, it cannot be read");
     vtkNew<vtkInteractorEventRecorder> recorder;
     interactor->Initialize();
     window->Render();

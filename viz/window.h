@@ -36,7 +36,7 @@ public:
 
     /// Runs until the user quits. Writes what he does to a file, if one is named.
     void run(const std::string& record = {});
-    /// Does what such a file says. Throws std::runtime_error with one sentence if it cannot be read.
+    /// Does what such a file says; checkRecording has found it good.
     void replay(const std::string& file);
     /// What the window shows.
     Image picture();

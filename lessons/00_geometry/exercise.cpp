@@ -4,5 +4,5 @@
 int main(int argc, char** argv)
 {
     using namespace rt;
-    return lesson00::geometryMain(lesson00::functionsOf<exercise00::Geometry>(), "exercise00", false, argc, argv);
+    return lesson00::geometryMain(lesson00::functionsOf<exercise00::Geometry>(), "exercise00", nullptr, argc, argv);
 }

@@ -2,17 +2,36 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <utility>
 
-#include "lessons/00_geometry/geometry.h"
+#include <glm/vec2.hpp>
+
+#include "common/vec.h"
 
 namespace rt::lesson00
 {
 
-using V2 = Geometry<double>::vec2;
+using V2 = glm::vec<2, double, glm::defaultp>;
 using V3 = Vec3<double>;
-using SlopeIntercept = Geometry<double>::SlopeIntercept;
-using Implicit = Geometry<double>::Implicit;
-using Parametric = Geometry<double>::Parametric;
+
+/// y = ax + b
+struct SlopeIntercept
+{
+    double a, b;
+};
+
+/// Ax + By + C = 0
+struct Implicit
+{
+    double A, B, C;
+};
+
+/// P(t) = O + tD
+struct Parametric
+{
+    V3 O, D;
+};
 
 /// All may throw NotAttempted.
 struct Functions

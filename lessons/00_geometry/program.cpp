@@ -62,7 +62,7 @@ void writeFigures(const std::vector<Figure>& drawn, const std::string& folder)
 
 } // namespace
 
-int geometryMain(const Functions& functions, const std::string& program, bool steps, int argc, char** argv)
+int geometryMain(const Functions& functions, const std::string& program, const Steps* steps, int argc, char** argv)
 {
     CLI::App app(steps ? "Lesson 00, geometry: the answers to the lecture's \"Tutorial 2 - Geometry\", step by step."
                        : "Exercise 00, geometry: your own answers to the lecture's \"Tutorial 2 - Geometry\".",

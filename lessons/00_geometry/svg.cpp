@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "common/markup.h"
+
 namespace rt::lesson00
 {
 
@@ -27,13 +29,6 @@ std::string pixels(const std::vector<Svg::Point>& points)
     return text;
 }
 
-std::string escaped(const std::string& words)
-{
-    std::string text;
-    for (const char c : words) text += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
-    return text;
-}
-
 /// How wide DejaVu Sans may become.
 double widthOf(const std::string& words, double size, bool bold)
 {
@@ -48,7 +43,7 @@ Svg::Svg(int w, int h, const std::string& title) : width(w), height(h), labelsEn
     body = fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
                        "font-family=\"DejaVu Sans, sans-serif\">\n<title>{2}</title>\n"
                        "<rect width=\"{0}\" height=\"{1}\" fill=\"white\"/>\n",
-                       w, h, escaped(title));
+                       w, h, escapedMarkup(title));
 }
 
 void Svg::clip(const Point& corner, const Point& size)
@@ -112,7 +107,7 @@ void Svg::label(const Point& at, const std::string& words, const std::string& co
     body += fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{}\" fill=\"{}\" text-anchor=\"{}\"{} stroke=\"white\" "
                         "stroke-width=\"4\" stroke-linejoin=\"round\" paint-order=\"stroke\">{}</text>\n",
                         pixels(x), pixels(y), pixels(size), color, anchor, bold ? " font-weight=\"bold\"" : "",
-                        escaped(words));
+                        escapedMarkup(words));
 }
 
 void Svg::beside(const Point& at, const Point& direction, const std::string& words, const std::string& color,

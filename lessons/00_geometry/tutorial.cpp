@@ -2,17 +2,13 @@
 
 #include <fmt/format.h>
 
+#include "common/todo.h"
+
 namespace rt::lesson00
 {
 
 namespace
 {
-
-/// In the middle of a formula: a negative number in brackets.
-std::string operand(double x)
-{
-    return x < 0 ? "(" + number(x) + ")" : number(x);
-}
 
 /// What is left of a sum that should be zero; rounding errors of numbers of that size count as zero.
 std::string rest(double x, double size)
@@ -55,14 +51,7 @@ struct Writer
 {
     const Functions& f;
     const Lines& lines;
-    bool steps;
-
-    /// A line that shows the way, for the lesson only.
-    template <class... Arguments>
-    std::string step(fmt::format_string<Arguments...> format, Arguments&&... arguments) const
-    {
-        return steps ? "     " + fmt::format(format, std::forward<Arguments>(arguments)...) + "\n" : "";
-    }
+    const Steps* steps;
 
     std::string slope() const
     {
@@ -70,12 +59,7 @@ struct Writer
         const auto line = f.slopeIntercept(P, Q);
         if (!line && D.x == 0) return fmt::format("     none: the line is vertical, x = {}\n", number(P.x));
         if (!line) return "     none, but the line is not vertical\n";
-        const double a = D.y / D.x;
-        return step("a = rise / run = ({} - {}) / ({} - {}) = {} / {} = {}", number(Q.y), operand(P.y), number(Q.x),
-                    operand(P.x), number(D.y), operand(D.x), number(a)) +
-               step("b = P.y - a P.x = {} - {} * {} = {}", number(P.y), operand(a), operand(P.x),
-                    number(P.y - a * P.x)) +
-               fmt::format("     y = {}\n", sum({{line->a, "x"}, {line->b, ""}}));
+        return (steps ? steps->slope(lines) : "") + fmt::format("     y = {}\n", sum({{line->a, "x"}, {line->b, ""}}));
     }
 
     std::string verify() const
@@ -88,7 +72,7 @@ struct Writer
             const double y = f.yAt(*line, point.x);
             const double size = std::abs(line->a * point.x) + std::abs(line->b);
             const bool same = std::abs(y - point.y) <= 1e-9 * std::max(size, std::abs(point.y));
-            text += step("{} * {} + {} = {}", number(line->a), operand(point.x), operand(line->b), rest(y, size)) +
+            text += (steps ? steps->verify(*line, point.x, rest(y, size)) : "") +
                     fmt::format("     at x = {} the line has y = {}, {}\n", number(point.x), rest(y, size),
                                 same ? fmt::format("as {} has", name)
                                      : fmt::format("but {} has y = {}", name, number(point.y)));
@@ -98,11 +82,9 @@ struct Writer
 
     std::string implicitForm() const
     {
-        const V2 P = lines.P2, Q = lines.Q2, D = Q - P;
+        const V2 P = lines.P2, Q = lines.Q2;
         const auto line = f.implicitForm(P, Q);
-        std::string text =
-            step("D = Q - P = {}, so n = (D.y, -D.x) = {} is at right angles to it", vector(D), vector(V2(D.y, -D.x))) +
-            step("C = -n.P = {}", number(-(D.y * P.x - D.x * P.y))) + fmt::format("     {}\n", equation(line));
+        std::string text = (steps ? steps->implicitForm(lines) : "") + fmt::format("     {}\n", equation(line));
         for (const auto& [name, point] : {std::pair("P", P), {"Q", Q}})
             text += fmt::format("     at {}: {} * {} + {} * {} + {} = {}\n", name, number(line.A), operand(point.x),
                                 operand(line.B), operand(point.y), operand(line.C),
@@ -121,9 +103,7 @@ struct Writer
     {
         const auto line = f.implicitForm(lines.P2, lines.Q2);
         const double n = length(V2(line.A, line.B)), d = f.distanceToOrigin(line);
-        return step("the point of the line nearest to the origin is s n with n.(s n) + C = 0, so s = -C / |n|²") +
-               step("its distance is |s n| = |C| / |n|, with |n| = sqrt({}² + {}²) = sqrt({})", operand(line.A),
-                    operand(line.B), number(line.A * line.A + line.B * line.B)) +
+        return (steps ? steps->distance(line) : "") +
                fmt::format("     distance = {}\n     distance * |n| = {} * {} = {}, and |C| = {}\n", number(d),
                            number(d), number(n), number(d * n), number(std::abs(line.C)));
     }
@@ -137,24 +117,13 @@ struct Writer
 
     std::string onPaper() const
     {
-        if (!steps) return "To be shown by drawing; slides-notes/00-geometry.md does.\n";
-        const V2 D = lines.Q2 - lines.P2, n(D.y, -D.x), p = D, q = -0.5 * D;
-        return fmt::format("a) n.p = 0: p runs along the line, n stands at right angles on it, and cos 90° = 0\n"
-                           "     p = {}, n = {}: n.p = {} * {} + {} * {} = 0\n"
-                           "b) n.p - n.p' = n.(p - p') = 0: the way from p' to p runs along the line too\n"
-                           "     p = {}, p' = {}: p - p' = {}, n.(p - p') = {} * {} + {} * {} = 0\n",
-                           vector(p), vector(n), number(n.x), operand(p.x), operand(n.y), operand(p.y), vector(p),
-                           vector(q), vector(p - q), number(n.x), operand((p - q).x), operand(n.y), operand((p - q).y));
+        return steps ? steps->onPaper(lines) : "To be shown by drawing; slides-notes/00-geometry.md does.\n";
     }
 
     std::string segmentLength() const
     {
-        const V3 D = lines.Q3 - lines.P3;
         const double l = f.segmentLength(lines.P3, lines.Q3);
-        return step("D = Q - P = {}", vector(D)) +
-               step("|D| = sqrt({}² + {}² + {}²) = sqrt({})", operand(D.x), operand(D.y), operand(D.z),
-                    number(dot(D, D))) +
-               fmt::format("     length = {}\n", number(l));
+        return (steps ? steps->segmentLength(lines) : "") + fmt::format("     length = {}\n", number(l));
     }
 
     std::string parametricForm() const
@@ -175,8 +144,7 @@ struct Writer
     {
         const V3 D = lines.Q3 - lines.P3;
         const auto [n1, n2] = f.normals3({lines.P3, D});
-        return step("cross(D, v) is at right angles to D for every v; so are all sums of such vectors") +
-               normalText("n1", n1, D) + normalText("n2", n2, D);
+        return (steps ? steps->normals3(lines) : "") + normalText("n1", n1, D) + normalText("n2", n2, D);
     }
 
     std::string circle() const
@@ -194,6 +162,11 @@ struct Writer
 };
 
 } // namespace
+
+std::string operand(double x)
+{
+    return x < 0 ? "(" + number(x) + ")" : number(x);
+}
 
 std::string number(double x)
 {
@@ -229,7 +202,7 @@ std::string equation(const Implicit& line)
     return sum({{line.A, "x"}, {line.B, "y"}, {line.C, ""}}) + " = 0";
 }
 
-std::string tutorialText(const Functions& functions, const Lines& lines, bool steps)
+std::string tutorialText(const Functions& functions, const Lines& lines, const Steps* steps)
 {
     const Writer w{functions, lines, steps};
     const auto answer = [&](const char* question, std::string (Writer::*write)() const) {

@@ -1,4 +1,5 @@
 #include "lessons/entries.h"
+#include "lessons/facts.h"
 
 #include "trace.h"
 
@@ -15,16 +16,6 @@ struct Lesson
 };
 } // namespace
 
-const LessonEntry entry{
-    .number = 1,
-    .slug = "01_direct_illumination",
-    .title = "direct illumination",
-    .slides = "Whitted-style Ray Tracing, Pseudocode",
-    .source = "lessons/01_direct_illumination/trace.h",
-    .scene = "lessons/01_direct_illumination/scenes/diffuse_spheres.toml",
-    .models = {Feature::direct},
-    .render = renderLesson<Lesson>,
-    .inspect = inspectLesson<Lesson>,
-};
+const LessonEntry entry{lessonFacts(1), renderLesson<Lesson>, inspectLesson<Lesson>};
 
 } // namespace rt::lesson01

@@ -1,11 +1,12 @@
 #include "exercise.h"
 #include "common/exercise_entry.h"
-#include "lessons/entries.h"
-#include "lessons/lesson_main.h"
+#include "lessons/exercise_main.h"
+#include "lessons/facts.h"
 
 int main(int argc, char** argv)
 {
     using namespace rt;
     return exerciseMain(
-        exerciseEntry<1, exercise01::Tracer>(lesson01::entry, "lessons/01_direct_illumination/exercise.h"), argc, argv);
+        exerciseEntry<1, exercise01::Tracer>(lessonFacts(1), "lessons/01_direct_illumination/exercise.h"),
+        exerciseFormulas<exercise01::Tracer>(), argc, argv);
 }

@@ -49,6 +49,7 @@ struct Tracer
     // Is the way from I along L free until the lamp, and no further?
     bool isVisible(const Point& I, const vec3& L, Real dist, const Light& light)
     {
+        // scene.occluded(I, L, distance, *this) asks your own formulas whether something is in the way.
         bool visible = false;
         // TODO 01-visible (2 points): Is the light visible from I?
         // Slide: Whitted-style Ray Tracing, Pseudocode: implement IsVisible

@@ -58,6 +58,7 @@ struct Tracer
     // Is the way from I along L free until the lamp, and no further?
     bool isVisible(const Point& I, const vec3& L, Real dist, const Light& light)
     {
+        // EXERCISE: // scene.occluded(I, L, distance, *this) asks your own formulas whether something is in the way.
         // EXERCISE: bool visible = false;
         // SOLUTION 01-visible
         const bool visible = !scene.occluded(I, L, dist);

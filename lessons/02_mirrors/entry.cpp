@@ -1,4 +1,5 @@
 #include "lessons/entries.h"
+#include "lessons/facts.h"
 
 #include "trace.h"
 
@@ -15,16 +16,6 @@ struct Lesson
 };
 } // namespace
 
-const LessonEntry entry{
-    .number = 2,
-    .slug = "02_mirrors",
-    .title = "mirrors",
-    .slides = "Reflected Vector; Light Transport; Whitted-style Ray Tracing, Pseudocode",
-    .source = "lessons/02_mirrors/trace.h",
-    .scene = "lessons/02_mirrors/scenes/pure_specular.toml",
-    .models = {Feature::direct, Feature::mirror},
-    .render = renderLesson<Lesson>,
-    .inspect = inspectLesson<Lesson>,
-};
+const LessonEntry entry{lessonFacts(2), renderLesson<Lesson>, inspectLesson<Lesson>};
 
 } // namespace rt::lesson02

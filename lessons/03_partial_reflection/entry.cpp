@@ -1,4 +1,5 @@
 #include "lessons/entries.h"
+#include "lessons/facts.h"
 
 #include "trace.h"
 
@@ -15,16 +16,6 @@ struct Lesson
 };
 } // namespace
 
-const LessonEntry entry{
-    .number = 3,
-    .slug = "03_partial_reflection",
-    .title = "partial reflection",
-    .slides = "Partially Reflective Surfaces",
-    .source = "lessons/03_partial_reflection/trace.h",
-    .scene = "lessons/03_partial_reflection/scenes/half_specular.toml",
-    .models = {Feature::direct, Feature::mirror, Feature::partial},
-    .render = renderLesson<Lesson>,
-    .inspect = inspectLesson<Lesson>,
-};
+const LessonEntry entry{lessonFacts(3), renderLesson<Lesson>, inspectLesson<Lesson>};
 
 } // namespace rt::lesson03

@@ -1,11 +1,12 @@
 #include "exercise.h"
 #include "common/exercise_entry.h"
-#include "lessons/entries.h"
-#include "lessons/lesson_main.h"
+#include "lessons/exercise_main.h"
+#include "lessons/facts.h"
 
 int main(int argc, char** argv)
 {
     using namespace rt;
     return exerciseMain(
-        exerciseEntry<3, exercise03::Tracer>(lesson03::entry, "lessons/03_partial_reflection/exercise.h"), argc, argv);
+        exerciseEntry<3, exercise03::Tracer>(lessonFacts(3), "lessons/03_partial_reflection/exercise.h"),
+        exerciseFormulas<exercise03::Tracer>(), argc, argv);
 }

@@ -1,4 +1,5 @@
 #include "lessons/entries.h"
+#include "lessons/facts.h"
 
 #include "trace.h"
 
@@ -15,16 +16,6 @@ struct Lesson
 };
 } // namespace
 
-const LessonEntry entry{
-    .number = 4,
-    .slug = "04_hdr_sky",
-    .title = "HDR sky",
-    .slides = "Reflecting a HDR Sky",
-    .source = "lessons/04_hdr_sky/trace.h",
-    .scene = "lessons/04_hdr_sky/scenes/bowling_ball.toml",
-    .models = {Feature::direct, Feature::mirror, Feature::partial, Feature::sky},
-    .render = renderLesson<Lesson>,
-    .inspect = inspectLesson<Lesson>,
-};
+const LessonEntry entry{lessonFacts(4), renderLesson<Lesson>, inspectLesson<Lesson>};
 
 } // namespace rt::lesson04

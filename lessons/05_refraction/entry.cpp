@@ -1,4 +1,5 @@
 #include "lessons/entries.h"
+#include "lessons/facts.h"
 
 #include "trace.h"
 
@@ -15,16 +16,6 @@ struct Lesson
 };
 } // namespace
 
-const LessonEntry entry{
-    .number = 5,
-    .slug = "05_refraction",
-    .title = "refraction",
-    .slides = "Dielectrics: Snell, critical angle, transmitted vector",
-    .source = "lessons/05_refraction/trace.h",
-    .scene = "lessons/05_refraction/scenes/glass_ball.toml",
-    .models = {Feature::direct, Feature::mirror, Feature::partial, Feature::sky, Feature::refraction},
-    .render = renderLesson<Lesson>,
-    .inspect = inspectLesson<Lesson>,
-};
+const LessonEntry entry{lessonFacts(5), renderLesson<Lesson>, inspectLesson<Lesson>};
 
 } // namespace rt::lesson05

@@ -1,4 +1,5 @@
 #include "lessons/entries.h"
+#include "lessons/facts.h"
 
 #include "trace.h"
 
@@ -15,16 +16,6 @@ struct Lesson
 };
 } // namespace
 
-const LessonEntry entry{
-    .number = 6,
-    .slug = "06_fresnel",
-    .title = "Fresnel",
-    .slides = "Dielectrics: Fresnel, Schlick, conservation of energy",
-    .source = "lessons/06_fresnel/trace.h",
-    .scene = "lessons/06_fresnel/scenes/half_and_glass.toml",
-    .models = {Feature::direct, Feature::mirror, Feature::partial, Feature::sky, Feature::refraction, Feature::fresnel},
-    .render = renderLesson<Lesson>,
-    .inspect = inspectLesson<Lesson>,
-};
+const LessonEntry entry{lessonFacts(6), renderLesson<Lesson>, inspectLesson<Lesson>};
 
 } // namespace rt::lesson06

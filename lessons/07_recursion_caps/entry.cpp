@@ -1,4 +1,5 @@
 #include "lessons/entries.h"
+#include "lessons/facts.h"
 
 #include "trace.h"
 
@@ -15,17 +16,6 @@ struct Lesson
 };
 } // namespace
 
-const LessonEntry entry{
-    .number = 7,
-    .slug = "07_recursion_caps",
-    .title = "recursion caps",
-    .slides = "Ray Tree; Cap recursion",
-    .source = "lessons/07_recursion_caps/trace.h",
-    .scene = "lessons/07_recursion_caps/scenes/mirror_box.toml",
-    .models = {Feature::direct, Feature::mirror, Feature::partial, Feature::sky, Feature::refraction, Feature::fresnel,
-               Feature::policies},
-    .render = renderLesson<Lesson>,
-    .inspect = inspectLesson<Lesson>,
-};
+const LessonEntry entry{lessonFacts(7), renderLesson<Lesson>, inspectLesson<Lesson>};
 
 } // namespace rt::lesson07

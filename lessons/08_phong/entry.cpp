@@ -1,4 +1,5 @@
 #include "lessons/entries.h"
+#include "lessons/facts.h"
 
 #include "trace.h"
 
@@ -15,17 +16,6 @@ struct Lesson
 };
 } // namespace
 
-const LessonEntry entry{
-    .number = 8,
-    .slug = "08_phong",
-    .title = "Phong",
-    .slides = "Shading: Diffuse Material, Glossy Material, Phong Shading",
-    .source = "lessons/08_phong/trace.h",
-    .scene = "lessons/08_phong/scenes/exponents.toml",
-    .models = {Feature::direct, Feature::mirror, Feature::partial, Feature::sky, Feature::refraction, Feature::fresnel,
-               Feature::policies, Feature::phong},
-    .render = renderLesson<Lesson>,
-    .inspect = inspectLesson<Lesson>,
-};
+const LessonEntry entry{lessonFacts(8), renderLesson<Lesson>, inspectLesson<Lesson>};
 
 } // namespace rt::lesson08

@@ -1,11 +1,11 @@
 #include "exercise.h"
 #include "common/exercise_entry.h"
-#include "lessons/entries.h"
-#include "lessons/lesson_main.h"
+#include "lessons/exercise_main.h"
+#include "lessons/facts.h"
 
 int main(int argc, char** argv)
 {
     using namespace rt;
-    return exerciseMain(exerciseEntry<8, exercise08::Tracer>(lesson08::entry, "lessons/08_phong/exercise.h"), argc,
-                        argv);
+    return exerciseMain(exerciseEntry<8, exercise08::Tracer>(lessonFacts(8), "lessons/08_phong/exercise.h"),
+                        exerciseFormulas<exercise08::Tracer>(), argc, argv);
 }

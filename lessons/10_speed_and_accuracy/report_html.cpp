@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
+#include "common/base64.h"
+#include "common/markup.h"
 #include "pareto.h"
 #include "report.h"
 #include "units.h"
@@ -14,29 +14,6 @@ namespace rt::lesson10
 
 namespace
 {
-
-std::string base64(const std::string& bytes)
-{
-    constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    for (std::size_t i = 0; i < bytes.size(); i += 3)
-    {
-        const auto byte = [&](std::size_t k) {
-            return i + k < bytes.size() ? unsigned(static_cast<unsigned char>(bytes[i + k])) : 0U;
-        };
-        const unsigned group = byte(0) << 16 | byte(1) << 8 | byte(2);
-        for (unsigned k = 0; k < 4; ++k)
-            text += k > 0 && i + k > bytes.size() ? '=' : digits[group >> (18 - 6 * k) & 63];
-    }
-    return text;
-}
-
-std::string escaped(const std::string& text)
-{
-    std::string out;
-    for (const char c : text) out += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
-    return out;
-}
 
 /// |a - b| times `gain`: what the eye would overlook.
 Image difference(const Image& a, const Image& b, double gain)
@@ -84,14 +61,15 @@ std::string dominatedFigures(const SceneStudy& study)
                 (!better || other.cpuSeconds < better->cpuSeconds))
                 better = &other;
         if (!better || ++shown > 6) continue;
-        text += "<div class=\"pair\">" +
-                figure(row->image, fmt::format("<b>{}</b>: {:.0f} ns a pixel, {}{}", escaped(describe(row->setting)),
-                                               row->nsPerPixel(), decibelText(row->errors.psnr), counts(*row))) +
-                figure(difference(row->image, study.reference.image, 4),
-                       fmt::format("its error, 4 times; beaten by <b>{}</b>: {:.0f} ns, {}",
-                                   escaped(describe(better->setting)), better->nsPerPixel(),
-                                   decibelText(better->errors.psnr))) +
-                "</div>\n";
+        text +=
+            "<div class=\"pair\">" +
+            figure(row->image, fmt::format("<b>{}</b>: {:.0f} ns a pixel, {}{}", escapedMarkup(describe(row->setting)),
+                                           row->nsPerPixel(), decibelText(row->errors.psnr), counts(*row))) +
+            figure(difference(row->image, study.reference.image, 4),
+                   fmt::format("its error, 4 times; beaten by <b>{}</b>: {:.0f} ns, {}",
+                               escapedMarkup(describe(better->setting)), better->nsPerPixel(),
+                               decibelText(better->errors.psnr))) +
+            "</div>\n";
     }
     return text.empty() ? "<p>None is both dominated and below 80 dB.</p>\n" : text;
 }
@@ -108,8 +86,8 @@ std::string table(const SceneStudy& study)
             fmt::format("<tr{}><td>{}<td "
                         "class=\"l\">{}<td>{:.0f}<td>{:.2f}<td>{:.1f}<td>{}<td>{}<td>{}<td>{}<td>{}<td>{}<td>{}<td>{:."
                         "1f} dB<td>{}</tr>\n",
-                        row.front ? " class=\"front\"" : "", row.knob, escaped(describe(row.setting)), row.nsPerPixel(),
-                        row.rays.perPixel, row.nsPerRay(), same ? decibelText(row.errors.psnr) : "",
+                        row.front ? " class=\"front\"" : "", row.knob, escapedMarkup(describe(row.setting)),
+                        row.nsPerPixel(), row.rays.perPixel, row.nsPerRay(), same ? decibelText(row.errors.psnr) : "",
                         same ? fmt::format("{:.2g}", row.errors.maxAbsolute) : "",
                         same ? fmt::format("{}", row.errors.visible) : "", row.rays.wrongFirst, row.rays.wrongShape,
                         row.rays.acnePixels, row.rays.leakPixels, row.manyErrors.psnr, row.front ? "yes" : "");
@@ -137,12 +115,7 @@ std::string modelling(const Report& report)
 
 std::string dataAddress(const Image& image)
 {
-    namespace fs = std::filesystem;
-    const auto file = fs::temp_directory_path() / fmt::format("raytree-trade-{}.png", getpid());
-    writeImage(image, file.string());
-    const std::string bytes = readTextFile(file.string());
-    fs::remove(file);
-    return "data:image/png;base64," + base64(bytes);
+    return "data:image/png;base64," + base64(pngBytes(image));
 }
 
 std::string html(const Report& report)
@@ -162,7 +135,7 @@ std::string html(const Report& report)
         "<p>{}. {}, flags {}. Times are CPU time of one thread, the minimum of interleaved runs{}. "
         "PSNR is of linear values, white is 1; the reference has the same samples and is computed in long double. "
         "A setting is on the front if no other is both as fast and as accurate.</p>\n",
-        escaped(cpu), escaped(compiler), escaped(flags),
+        escapedMarkup(cpu), escapedMarkup(compiler), escapedMarkup(flags),
         report.quick ? "; a quick study: small pictures, few runs" : "");
     if (report.studies.size() > 1)
     {
@@ -174,7 +147,7 @@ std::string html(const Report& report)
     for (const auto& study : report.studies)
     {
         text += fmt::format("<h2>{}</h2>\n<p>{}x{} pixels; reference: long double, depth {}, cutoff {}.</p>\n",
-                            escaped(study.name), study.scene.camera.width, study.scene.camera.height,
+                            escapedMarkup(study.name), study.scene.camera.width, study.scene.camera.height,
                             study.reference.setting.depth, study.reference.setting.cutoff);
         text += figure(study.reference.image, "the reference") +
                 figure(study.many,

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "common/markup.h"
 #include "report.h"
 #include "units.h"
 
@@ -18,14 +19,6 @@ const std::map<std::string, const char*> knobColors{
     {"baseline", "#000000"},        {"scalar type", "#0072b2"}, {"sphere formula", "#d55e00"},
     {"self-hit policy", "#cc79a7"}, {"Fresnel", "#009e73"},     {"depth", "#e69f00"},
     {"cutoff", "#56b4e9"},          {"samples", "#999999"},     {"mixture", "#6a3d9a"}};
-
-std::string escaped(const std::string& text)
-{
-    std::string out;
-    for (const char c : text)
-        out += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : c == '"' ? "&quot;" : std::string(1, c);
-    return out;
-}
 
 struct Point2
 {
@@ -113,7 +106,7 @@ std::string svg(const SceneStudy& study, bool many)
                             "{:.0f} ns a pixel, "
                             "{}</title></circle>\n",
                             x, y, chosen ? 5 : 3.5, knobColors.at(row->knob), chosen ? 1 : 0.55,
-                            escaped(describe(row->setting)), row->nsPerPixel(), decibelText(accuracy(*row)));
+                            escapedMarkup(describe(row->setting)), row->nsPerPixel(), decibelText(accuracy(*row)));
     }
     for (std::size_t i = 0; i < front.size(); ++i)
     {
@@ -121,7 +114,7 @@ std::string svg(const SceneStudy& study, bool many)
         text += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"10\" text-anchor=\"end\">{}</text>\n", x - 6,
                             y - 4, i + 1);
         text += fmt::format("<text x=\"490\" y=\"{}\">{}. {} <tspan fill=\"#666666\">{:.0f} ns, {}</tspan></text>\n",
-                            34 + 17 * i, i + 1, escaped(describe(front[i]->setting)), front[i]->nsPerPixel(),
+                            34 + 17 * i, i + 1, escapedMarkup(describe(front[i]->setting)), front[i]->nsPerPixel(),
                             decibelText(accuracy(*front[i])));
     }
     double y = 34 + 17 * double(front.size()) + 22;

@@ -4,6 +4,7 @@ import difflib
 import pathlib
 import re
 import sys
+import tomllib
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 LESSONS = sorted(ROOT.glob("lessons/[0-9][0-9]_*"))
@@ -26,8 +27,8 @@ def includes(path):
 def check_arrows():
     """Core headers need glm and the standard library; only viz/ needs VTK; nothing needs tests/; a lesson only lesson.h."""
     core = ["vec", "ray", "hit", "material", "light", "shapes", "camera", "scene", "scene_description", "recorder", "todo",
-            "lesson", "exercise", "tree_recorder", "ray_tree", "image", "sky", "bvh", "bvh_build", "lanes", "sphere_search",
-            "triangle_search"]
+            "lesson", "exercise", "tree_recorder", "ray_tree", "image", "sky", "pixel", "bvh", "bvh_build", "lanes",
+            "sphere_search", "triangle_search"]
     for name in core:
         for include in includes(ROOT / f"common/{name}.h"):
             own = include.startswith("common/") and pathlib.Path(include).stem in core
@@ -118,7 +119,24 @@ def check_lessons_are_complete():
             problems.append(f"{lesson.name} has fewer than two scenes")
 
 
-for check in (check_arrows, check_small_steps, check_no_epsilon, check_lessons_are_complete):
+def check_cases_belong_to_exercises():
+    """Each group of a lesson's own cases (but Picture) is about an exercise, and exercises name no others. "A + B" is two."""
+    groups = {}
+    files = dict(zip(range(9), ["lesson00_cases", *(f"cases_{name}" for name in
+                 ("direct", "mirror", "partial", "sky", "refraction", "fresnel", "caps", "phong"))]))
+    for lesson, name in files.items():
+        text = (ROOT / f"tests/lessons/{name}.cpp").read_text()
+        groups[lesson] = set(re.findall(r'\{"([A-Z]\w*)",\s*"[A-Z]\w*",', text)) - {"Picture"}
+    with open(ROOT / "lessons/exercises.toml", "rb") as file:
+        exercises = tomllib.load(file)["exercise"]
+    for lesson, own in groups.items():
+        named = {group for e in exercises if e["lesson"] == lesson for cases in e["cases"] for group in cases.split(" + ")}
+        if not own or own != named:
+            problems.append(f"lessons/exercises.toml: the cases of lesson {lesson:02} are of the groups {sorted(own)}, "
+                            f"its exercises name {sorted(named)}")
+
+
+for check in (check_arrows, check_small_steps, check_no_epsilon, check_lessons_are_complete, check_cases_belong_to_exercises):
     check()
 for problem in problems:
     print(problem, file=sys.stderr)

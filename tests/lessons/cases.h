@@ -1,7 +1,7 @@
 // All cases, by lesson. They are compiled once and run on any subject.
 #pragma once
 
-#include "tests/lessons/subject.h"
+#include "tests/lessons/scenes.h"
 
 namespace rt::cases
 {

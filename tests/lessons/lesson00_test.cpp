@@ -5,6 +5,7 @@
 
 #include "common/image.h"
 #include "lessons/00_geometry/exercise.h"
+#include "lessons/00_geometry/geometry.h"
 #include "lessons/00_geometry/tutorial.h"
 #include "solved00.h"
 #include "tests/lessons/lesson00_cases.h"
@@ -110,7 +111,8 @@ Run run(std::vector<std::string> arguments, bool exercise = false)
         exercise ? lesson00::functionsOf<exercise00::Geometry>() : lesson00::functionsOf<lesson00::Geometry<double>>();
     testing::internal::CaptureStdout();
     testing::internal::CaptureStderr();
-    const int code = lesson00::geometryMain(functions, "program", !exercise, int(argv.size()), argv.data());
+    const int code = lesson00::geometryMain(functions, "program", exercise ? nullptr : &lesson00::tutorialSteps(),
+                                            int(argv.size()), argv.data());
     const std::string out = testing::internal::GetCapturedStdout();
     return {code, out, testing::internal::GetCapturedStderr()};
 }

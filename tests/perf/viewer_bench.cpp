@@ -87,6 +87,16 @@ void measure(Session session, const std::string& title)
     report("one step", nodes, 20, [&](int i) { controller.stepTo(1 + i % controller.lastStep()); });
     controller.stepTo(controller.lastStep());
     report("point at a ray in the tree", nodes, 20, [&](int i) { controller.hover(i % int(nodes)); });
+    // The wheel; viz/layout.cpp says where the panes are.
+    report("zoom the tree", nodes, 20, [&](int i) { window.wheel(1300, 600, i % 4 < 2); });
+    report("zoom the scene", nodes, 20, [&](int i) { window.wheel(800, 600, i % 4 < 2); });
+    report("show or hide a kind", nodes, 20, [&](int) { controller.toggle(Kind::reflected); });
+    if (!controller.source().isFixed)
+    {
+        const int cap = controller.maxDepth();
+        report("another MAXDEPTH", nodes, 20, [&](int i) { controller.setMaxDepth(cap - i % 2); });
+        controller.wait(); // for the picture, which is painted in the background
+    }
     if (nodes > 1000) report("go to a ray by its number", nodes, 20, [&](int i) { controller.selectNode(37 * i); });
 }
 

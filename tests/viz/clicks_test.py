@@ -1,195 +1,399 @@
 #!/usr/bin/env python3
-"""The viewer's window under real mouse and key events, and recordings of them.
+"""The viewer used by real mouse and key events, on a display of its own.
 
     clicks_test.py VIEWER
 
-Exit code 77: there is no Xvfb or no xdotool, and nothing was tested.
+What the events did is read from the state that the viewer writes when key q ends it, and from the pixels on the screen.
+Ends with 77 if Xvfb or xdotool is missing.
 """
 import json
-import os
 import pathlib
-import shutil
+import random
 import subprocess
 import sys
 import tempfile
 import time
 import unittest
 
-if not shutil.which("xdotool") or not shutil.which("Xvfb"):
-    print("SKIPPED: real clicks need the programs Xvfb and xdotool", file=sys.stderr)
-    sys.exit(77)
+from xscreen import HEIGHT, WIDTH, Screen, Viewer, missing, steady, wait_for
 
-VIEWER = pathlib.Path(sys.argv.pop(1)).resolve()
-WIDTH, HEIGHT = 1600, 900
-# Where things are at that size, from the upper left corner; see layoutFor.
-PICTURE = (13, 56, 405, 304)  # x, y, width, height of 640 x 480 pixels
-SCENE, CODE = (780, 200), (780, 650)
-ROOT_IN_TREE = (1162, 286)  # lesson 06: the camera ray's circle
-STEPS, CAP = (246, 629, 842), (846, 1071, 842)  # sliders: left end, right end, y
-PLAY = (97, 842)
+PROGRAM = pathlib.Path(sys.argv.pop(1)).resolve()
+
+# viz/layout.cpp at 1600x900: x, y, width, height.
+TITLE, STRIP = 46, 78
+IMAGE = (0, TITLE, 432, 324)
+SCENE = (432, TITLE, 704, 434)
+CODE = (432, 480, 704, 342)
+TREE = (1136, TITLE, 464, 496)
+BOTTOM = (0, HEIGHT - STRIP, WIDTH, STRIP)
+SLIDERS = (130, BOTTOM[1] + 14, WIDTH - 130, 14)  # a band in the middle of the upper row, right of the buttons
+WHOLE = (0, 0, WIDTH, HEIGHT)
+NOWHERE = (700, 20)  # in the title, where nothing follows the pointer
+
+# viz/palette.cpp, the dark look.
+CAMERA, REFLECTED, TRANSMITTED, ACCENT = (86, 180, 233), (245, 159, 20), (32, 166, 76), (125, 211, 252)
+
+# Lesson 6 on its first scene: 640x480, a glass ball that splits the chosen pixel's ray again and again.
+PICTURE = (640, 480)
+KINDS = {"camera", "reflected", "transmitted", "lit", "blocked"}
 
 
-class Window(unittest.TestCase):
+def densest(points, half):
+    """The point with the most others around it."""
+    known = set(points)
+    reach = range(-half, half + 1)
+    return max(points, key=lambda p: sum((p[0] + dx, p[1] + dy) in known for dx in reach for dy in reach))
+
+
+def runs(points):
+    """Of pixels in one row: first and last x of each run, gaps of up to 3 closed."""
+    found = []
+    for x in sorted(x for x, _ in points):
+        if found and x - found[-1][1] <= 4:
+            found[-1][1] = x
+        else:
+            found.append([x, x])
+    return found
+
+
+class Clicks(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.screen = Screen()
+        cls.addClassCleanup(cls.screen.close)
+
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
-        self.here = pathlib.Path(folder.name)
-        self.server = subprocess.Popen(["Xvfb", "-displayfd", "1", "-screen", "0", f"{WIDTH}x{HEIGHT}x24", "-noreset"],
-                                       stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
-        self.addCleanup(self.stop_server)
-        self.environment = {**os.environ, "DISPLAY": ":" + self.server.stdout.readline().decode().strip()}
+        self.folder = pathlib.Path(folder.name)
 
-    def stop_server(self):
-        self.server.terminate()
-        self.server.wait()
-        self.server.stdout.close()
+    def view(self, *words):
+        viewer = Viewer(self.screen, PROGRAM, self.folder, *(words or (6,)))
+        self.addCleanup(viewer.stop)
+        return viewer
 
-    def open(self, *words):
-        self.viewer = subprocess.Popen([VIEWER, *map(str, words), "--size-window", f"{WIDTH}x{HEIGHT}", "--state", "state.json"],
-                                       cwd=self.here, env=self.environment, stderr=subprocess.PIPE)
-        self.send("search", "--sync", "--onlyvisible", "--name", "^raytree$")
-        time.sleep(1)
+    def tree(self, *words):
+        """The nodes that are shown, as the viewer exports them."""
+        subprocess.run([PROGRAM, *map(str, words or (6,)), "--export", "tree.json"], cwd=self.folder, check=True, capture_output=True)
+        return json.loads((self.folder / "tree.json").read_text())["nodes"]
 
-    def send(self, *words):
-        subprocess.run(["xdotool", *map(str, words)], env=self.environment, check=True, stdout=subprocess.DEVNULL, timeout=60)
+    def scripted(self, *words):
+        """The state without any events."""
+        subprocess.run([PROGRAM, *map(str, words or (6,)), "--script", "state scripted.json"], cwd=self.folder, check=True, capture_output=True)
+        return json.loads((self.folder / "scripted.json").read_text())
 
-    def point(self, x, y):
-        self.send("mousemove", x, y)
-        time.sleep(0.1)
+    def changes(self, box, act, what):
+        """Does something and waits until a part of the screen looks different, and has come to rest."""
+        before = self.screen.part(box)
+        act()
+        wait_for(lambda: self.screen.part(box) != before, what)
+        return steady(self.screen, box)
 
-    def click(self, x, y):
-        self.point(x, y)
-        self.send("click", 1)
+    def drag(self, viewer, start, end, box, button=1):
+        """The button goes down, the pointer moves there by way of the middle, the button goes up. The viewer asks where the
+        pointer is when it gets round to a movement, so each must have had its effect before the next."""
+        middle = ((start[0] + end[0]) // 2, (start[1] + end[1]) // 2)
+        viewer.do("mousemove", *start)
+        steady(self.screen, box)
+        viewer.do("mousedown", button)
+        for place in (middle, end):
+            self.changes(box, lambda: viewer.do("mousemove", *place), f"the drag from {start} to {place}")
+        viewer.do("mouseup", button)
+        steady(self.screen, box)
 
-    def drag(self, x, y, to_x, to_y):
-        self.point(x, y)
-        self.send("mousedown", 1)
-        for t in (0.3, 0.6, 1):
-            self.point(int(x + t * (to_x - x)), int(y + t * (to_y - y)))
-        self.send("mouseup", 1)
+    def rest(self, viewer, box=WHOLE):
+        """The picture with the pointer where it does no harm."""
+        viewer.do("mousemove", *NOWHERE)
+        return steady(self.screen, box)
 
-    def keys(self, *names):
-        """With the pointer over the code, where keys mean the same as everywhere but over the picture."""
-        self.point(*CODE)
-        for name in names:
-            self.send("key", name)
+    def comes_back(self, box, first, what):
+        """Waits until a part of the screen looks as it did, to the last pixel."""
+        wait_for(lambda: self.screen.part(box) == first, what)
 
-    def close(self):
-        self.keys("q")
-        _, error = self.viewer.communicate(timeout=60)
-        self.assertEqual(self.viewer.returncode, 0, error.decode())
-        return json.loads((self.here / "state.json").read_text())
+    def blob(self, box, colour, distance=0):
+        """A place well within something of this colour."""
+        points = self.screen.pixels_like(box, colour, distance)
+        self.assertGreater(len(points), 50, f"almost nothing of colour {colour} in {box}")
+        return densest(points, 6)
 
-    def pixel(self, x, y):
-        """Where a pixel of the picture is in the window."""
-        return round(PICTURE[0] + (x + 0.5) * PICTURE[2] / 640), round(PICTURE[1] + (y + 0.5) * PICTURE[3] / 480)
+    def pixel_at(self, x, y):
+        """Of the picture, fitted into its pane with a margin of 10."""
+        zoom = min((IMAGE[2] - 20) / PICTURE[0], (IMAGE[3] - 20) / PICTURE[1])
+        return [(x + 0.5 - IMAGE[0] - IMAGE[2] / 2) / zoom + PICTURE[0] / 2, (y + 0.5 - IMAGE[1] - IMAGE[3] / 2) / zoom + PICTURE[1] / 2]
 
-    def picture(self, name):
-        """Of the window as it is, by its own key."""
-        count = len(list(self.here.glob("raytree*.png")))
-        self.point(*CODE)
-        self.send("key", "F12")
-        for _ in range(200):
-            files = sorted(self.here.glob("raytree*.png"), key=lambda path: path.stat().st_mtime_ns)
-            if len(files) > count:
-                break
-            time.sleep(0.1)
-        else:
-            self.fail(f"{name}: F12 wrote no picture")
-        self.send("key", "Escape")  # takes the message away that says so
-        return files[-1].read_bytes()
+    # Mouse
 
-    def test_a_click_on_the_picture_chooses_the_pixel_under_it(self):
-        self.open(6)
-        self.click(*self.pixel(200, 300))
-        state = self.close()
-        self.assertLessEqual(abs(state["pixel"][0] - 200) + abs(state["pixel"][1] - 300), 4, state["pixel"])
-
-    def test_keys_step_select_and_show(self):
-        self.open(6)
-        self.keys("Home", "Right", "Right", "Right", "Left", "n", "2", "5", "l", "bracketleft", "shift+Left", "shift+Up")
-        state = self.close()
-        self.assertEqual((state["normals"], state["look"], state["max_depth"]), (False, "light", 7))
-        self.assertEqual((state["kinds"]["reflected"], state["kinds"]["blocked"], state["kinds"]["camera"]), (False, False, True))
-        self.assertEqual(state["pixel"], [419, 195])
-
-    def test_steps_go_on_and_back_and_nodes_up_and_down(self):
-        self.open(6)
-        self.keys("Home", "Right", "Right", "Right", "Left")
-        self.assertEqual(self.close()["step"], 2)
-        self.open(6)
-        self.keys("Down", "Down", "Down", "Up", "Prior")
-        state = self.close()
+    def test_a_click_on_the_picture_chooses_the_pixel_under_the_pointer(self):
+        viewer = self.view()
+        viewer.click(330, 300)
+        viewer.click(100, 110)
+        state = viewer.quit()
+        for got, expected in zip(state["pixel"], self.pixel_at(100, 110)):
+            self.assertAlmostEqual(got, expected, delta=2)  # a pixel of the screen is 1.6 of the picture
         self.assertEqual(state["selected"], 0)
-        self.assertEqual(state["step"], state["last_step"])
 
-    def test_the_keys_of_the_library_do_no_harm(self):
-        self.open(6)
-        before = self.picture("before")
-        self.keys("w", "s", "p", "f", "i", "u", "j", "F5")
-        self.assertEqual(self.picture("after"), before)
-        self.close()
+    def test_zoomed_and_moved_the_same_pixel_stays_under_the_pointer(self):
+        x, y = 150, 180
+        viewer = self.view()
+        fitted = self.rest(viewer, IMAGE)
+        viewer.do("mousemove", x, y)
+        self.changes(IMAGE, lambda: viewer.do("click", 5), "the wheel over the picture")
+        viewer.do("mousemove", *NOWHERE, "key", "r")
+        self.comes_back(IMAGE, fitted, "key r to fit the picture")
+        viewer.do("mousemove", x, y)
+        self.changes(IMAGE, lambda: viewer.do("click", "--repeat", 4, 4), "the wheel over the picture")
+        self.drag(viewer, (x, y), (x + 40, y - 30), IMAGE)
+        viewer.click(x + 40, y - 30)
+        viewer.click(SCENE[0] + 40, 8)  # in the title: nothing
+        state = viewer.quit()
+        for got, expected in zip(state["pixel"], self.pixel_at(x, y)):
+            self.assertAlmostEqual(got, expected, delta=2)
 
-    def test_the_tree_is_clicked_and_a_node_is_found_by_its_number(self):
-        self.open(6)
-        self.keys("g", "1", "2", "Return")
-        self.assertEqual(self.close()["selected"], 12)
-        self.open(6, "--pixel", "420,196")
-        self.keys("Down", "Down")
-        self.click(*ROOT_IN_TREE)
-        self.assertEqual(self.close()["selected"], 0)
+    def test_a_click_on_a_node_of_the_tree_selects_it(self):
+        nodes = self.tree()
+        viewer = self.view()
+        reflected, transmitted = self.blob(TREE, REFLECTED), self.blob(TREE, TRANSMITTED)
+        for place in (reflected, transmitted):
+            self.changes(CODE, lambda: viewer.click(*place), f"the click on the tree at {place}")
+        chosen = viewer.quit()["selected"]
+        self.assertEqual(nodes[chosen]["kind"], "transmitted")
 
-    def test_sliders_are_dragged(self):
-        self.open(6)
-        left, right, y = STEPS
-        self.drag(right, y, (left + right) // 2, y)
-        left, right, y = CAP
-        self.drag(left + (right - left) * 8 // 10, y, left, y)
-        self.assertEqual(self.close()["max_depth"], 0)
+    def test_a_click_on_a_ray_in_space_selects_it(self):
+        viewer = self.view()
+        viewer.keys("g", "5", "Return")
+        self.rest(viewer)
+        # Lit tubes are of many shades; the camera's ray is by far the thickest.
+        place = self.blob((SCENE[0] + 60, SCENE[1] + 100, SCENE[2] - 200, SCENE[3] - 180), CAMERA, 45)
+        self.changes(CODE, lambda: viewer.click(*place), f"a click on the camera's ray at {place}")
+        self.assertEqual(viewer.quit()["selected"], 0)
 
-    def test_playing_goes_on_by_itself(self):
-        self.open(2)
-        self.click(*PLAY)
-        time.sleep(2)
-        self.keys("space")
-        state = self.close()
-        self.assertGreater(state["step"], 0)
-        self.assertFalse(state["playing"])
+    def test_dragging_in_space_turns_the_view_and_selects_nothing(self):
+        viewer = self.view()
+        first = self.rest(viewer, SCENE)
+        for button, start, end in ((1, (700, 250), (800, 290)), (2, (700, 250), (730, 230)), (3, (700, 250), (700, 300))):
+            self.drag(viewer, start, end, SCENE, button)
+        for wheel in (4, 5):
+            viewer.do("mousemove", 760, 260)
+            self.changes(SCENE, lambda: viewer.do("click", wheel), "the wheel in space")
+        viewer.do("mousemove", *NOWHERE, "key", "r")
+        self.comes_back(SCENE, first, "key r to show what was shown at the start")
+        state = viewer.quit()
+        self.assertEqual((state["selected"], state["step"], state["event"]), (0, state["last_step"], None))
 
-    def test_a_drag_turns_the_scene_and_selects_nothing(self):
-        self.open(6)
-        before = self.picture("before")
-        self.drag(*SCENE, SCENE[0] + 150, SCENE[1] + 40)
-        self.assertNotEqual(self.picture("after"), before)
-        self.assertEqual(self.close()["selected"], 0)
+    def knobs(self):
+        """Places of the three sliders: first and last x of what is filled, the knob at its end; and their height."""
+        middle = SLIDERS[1] + SLIDERS[3] // 2
+        found = []
+        for y in range(SLIDERS[1], SLIDERS[1] + SLIDERS[3]):
+            row = [run for run in runs(self.screen.pixels_like((SLIDERS[0], y, SLIDERS[2], 1), ACCENT, 30)) if run[1] - run[0] >= 2]
+            if len(row) >= 3 and sum(b - a for a, b in row) > sum(b - a for a, b in found):
+                found, middle = row, y
+        self.assertGreaterEqual(len(found), 3, "three sliders")
+        # The hole of a knob may part it from what is filled.
+        joined = [found[0]]
+        for run in found[1:]:
+            if run[0] - joined[-1][1] < 16:
+                joined[-1] = [joined[-1][0], run[1]]
+            else:
+                joined.append(run)
+        self.assertEqual(len(joined), 3, joined)
+        return joined, middle
 
-    def test_wild_clicking_leaves_it_alive(self):
-        self.open(7)
-        for i in range(60):
-            self.send("mousemove", 20 + 353 * i % (WIDTH - 40), 20 + 211 * i % (HEIGHT - 40), "click", 1 + i % 5)
-        self.keys("Escape")
-        self.close()
+    def test_sliders_are_pressed_and_dragged(self):
+        viewer = self.view()
+        self.rest(viewer)
+        (_, depth, _), y = self.knobs()
+        # 8 is shown: half of what is filled is 4. The knob reaches 7 to both sides of its place.
+        self.changes(TREE, lambda: viewer.click((depth[0] + depth[1] - 5) // 2, y), "the press on the slider of the depth")
+        self.rest(viewer)
+        (step, _, weak), y = self.knobs()
+        self.drag(viewer, (step[1] - 7, y), ((step[0] + step[1] - 5) // 2, y), BOTTOM)
+        self.drag(viewer, ((weak[0] + weak[1]) // 2, y), (WIDTH - 3, y), BOTTOM)
+        state = viewer.quit()
+        self.assertEqual((state["max_depth"], state["nodes"]), (4, len(self.tree(6, "--depth", 4))))
+        self.assertAlmostEqual(state["step"], state["last_step"] / 2, delta=2)
+        self.assertEqual(state["weakest"], 1)
+        self.assertEqual(state["shown_nodes"], [0])
 
-    def test_what_was_recorded_is_done_again(self):
-        self.open(6, "--record", "events.log")
-        self.click(*self.pixel(300, 260))
-        self.keys("Home", "Right", "Right", "Right", "n", "3", "l")
-        self.click(*self.pixel(500, 200))
-        self.keys("Down")
-        recorded = self.close()
-        self.assertNotIn("TimerEvent", (self.here / "events.log").read_text())
-        done = subprocess.run([VIEWER, "6", "--play", "events.log", "--script", "state again.json", "--size-window", f"{WIDTH}x{HEIGHT}"],
-                              cwd=self.here, env=self.environment, capture_output=True, timeout=120)
-        self.assertEqual(done.returncode, 0, done.stderr.decode())
-        again = json.loads((self.here / "again.json").read_text())
-        for key in ("pixel", "selected", "step", "normals", "kinds", "look", "max_depth"):
-            self.assertEqual(again[key], recorded[key], key)
+    def test_what_is_shown_can_be_clicked_away(self):
+        viewer = self.view()
+        lower = (0, HEIGHT - STRIP // 2, 500, STRIP // 2)
+        for colour in (REFLECTED, TRANSMITTED):
+            x, y = self.blob(lower, colour)
+            self.changes(lower, lambda: viewer.click(x, y), "the click on a kind of rays")
+        state = viewer.quit()
+        self.assertEqual({kind for kind, shown in state["kinds"].items() if not shown}, {"reflected", "transmitted"})
+        self.assertEqual(state["shown_nodes"], [0])
 
-    def test_a_recording_that_is_not_there_is_refused(self):
-        done = subprocess.run([VIEWER, "2", "--play", "absent.log", "--script", "next"], cwd=self.here, env=self.environment, capture_output=True)
-        self.assertEqual(done.returncode, 2)
-        self.assertEqual(done.stderr.count(b"\n"), 1)
+    # Playing
+
+    def play_button(self):
+        button = (60, BOTTOM[1] + 4, 70, 34)
+        xs, ys = zip(*self.screen.pixels_like(button, ACCENT))
+        return (min(xs) + max(xs)) // 2, (min(ys) + max(ys)) // 2
+
+    def test_the_button_plays_and_space_pauses(self):
+        viewer = self.view()
+        self.rest(viewer)
+        viewer.click(*self.play_button())
+        viewer.do("mousemove", *NOWHERE)
+
+        def steps(count):
+            for _ in range(count):
+                before = self.screen.part(CODE)
+                wait_for(lambda: self.screen.part(CODE) != before, "the next step")
+        steps(3)
+        viewer.keys("space")
+        paused = steady(self.screen, CODE)
+        time.sleep(1.2)  # two steps, if it played
+        self.assertEqual(self.screen.part(CODE), paused)
+        viewer.keys("space")
+        steps(1)
+        state = viewer.quit()
+        self.assertTrue(state["playing"])
+        self.assertTrue(2 <= state["step"] < state["last_step"], state["step"])
+
+    # Keys
+
+    def test_keys_step(self):
+        for keys, step in ((["Home", "Left", "Right", "Right", "Right", "Left"], 2), (["Home", "End", "Left", "Left", "Right"], -1)):
+            viewer = self.view()
+            viewer.keys(*keys)
+            state = viewer.quit()
+            self.assertEqual(state["step"], step % state["last_step"], keys)
+            self.assertIsNotNone(state["event"])
+
+    def test_keys_choose_rays_depth_and_what_is_shown(self):
+        nodes = self.tree(6, "--depth", 7)
+        viewer = self.view()
+        viewer.keys("bracketleft", "bracketleft", "bracketright", "2", "4", "5", "5", "n", "l", "h", "Escape")
+        viewer.keys("g", "9", "1", "BackSpace", "BackSpace", "1", "2", "Return", "Down", "Down", "Up", "Prior")
+        state = viewer.quit()
+        self.assertEqual((state["max_depth"], state["nodes"]), (7, len(nodes)))
+        self.assertEqual(state["selected"], nodes[13]["parent"])
+        self.assertEqual({kind for kind, shown in state["kinds"].items() if not shown}, {"reflected", "lit"})
+        self.assertEqual((state["normals"], state["look"], state["help"], state["message"]), (False, "light", False, ""))
+
+    def test_arrows_move_the_pixel_on_the_picture_and_with_shift_everywhere(self):
+        viewer = self.view(6, "--pixel", "300,200")
+        viewer.do("mousemove", 216, 208)
+        viewer.keys("Right", "Right", "Right", "Left", "Down", "Down", "Up")
+        viewer.do("mousemove", *NOWHERE)
+        viewer.keys("shift+Left", "shift+Down", "h")
+        state = viewer.quit()
+        self.assertEqual((state["pixel"], state["help"]), ([301, 202], True))
+
+    def test_a_ray_that_is_not_there_is_told(self):
+        viewer = self.view()
+        viewer.keys("g", "9", "9", "9", "Return", "g", "7", "q", "Escape")  # within a number q is no order, and Escape leaves it
+        state = viewer.quit()
+        self.assertEqual(state["selected"], 0)
+        self.assertIn("999", state["message"])
+
+    def test_compared_trees_are_switched_and_their_difference_found(self):
+        words = (6, "--compare", "depth=2")
+        first = self.scripted(*words)["comparison"]["first_difference"]
+        viewer = self.view(*words)
+        viewer.keys("d", "c")
+        state = viewer.quit()
+        self.assertEqual((state["selected"], state["comparison"]), (first["expected_node"], None))
+        self.assertNotEqual(state["selected"], 0)
+
+    def test_a_pane_is_enlarged_and_given_back(self):
+        viewer = self.view()
+        first = self.rest(viewer)
+        for key in ("m", "Escape"):
+            viewer.do("mousemove", 1300, 500)
+            steady(self.screen, WHOLE)
+            self.changes(IMAGE, lambda: viewer.keys("m"), "the tree to be enlarged")
+            viewer.keys(key)
+            viewer.do("mousemove", *NOWHERE)
+            self.comes_back(WHOLE, first, f"key {key} to give all panes back")
+        viewer.quit()
+
+    def test_keys_of_vtk_do_nothing(self):
+        viewer = self.view()
+        first = self.rest(viewer)
+        viewer.do("mousemove", 760, 260)  # they mean the scene below the pointer
+        viewer.keys("w", "s", "p", "f", "i", "u", "j", "a", "o", "z", "x", "b", "F1", "F5", "Tab", "Delete", "3", "3")
+        # Something that is seen, so that all of them have been dealt with.
+        self.changes(BOTTOM, lambda: viewer.keys("n"), "key n")
+        viewer.keys("n")
+        viewer.do("mousemove", *NOWHERE)
+        self.comes_back(WHOLE, first, "key n to undo itself")
+        self.assertEqual(viewer.quit(), self.scripted())
+
+    def test_keys_with_ctrl_or_alt_do_nothing(self):
+        viewer = self.view(6, "--compare", "depth=2")
+        first = self.rest(viewer)
+        for modifier in ("ctrl", "alt", "ctrl+shift"):
+            viewer.keys(*(f"{modifier}+{key}" for key in ("c", "d", "n", "l", "h", "2", "g", "Left", "bracketleft", "space", "e", "q")))
+        self.changes(BOTTOM, lambda: viewer.keys("n"), "key n")
+        viewer.keys("n")
+        self.comes_back(WHOLE, first, "key n to undo itself")
+        self.assertEqual(viewer.quit(), self.scripted(6, "--compare", "depth=2"))
+        self.assertFalse((self.folder / "raytree-export").exists())
+
+    def test_pictures_and_exports_are_written_and_nothing_overwritten(self):
+        (self.folder / "raytree.png").write_text("mine")
+        viewer = self.view()
+        viewer.keys("F12", "n", "F12", "e")
+        state = viewer.quit()
+        self.assertEqual((self.folder / "raytree.png").read_text(), "mine")
+        shots = [(self.folder / f"raytree-{i}.png").read_bytes() for i in (2, 3)]
+        self.assertTrue(all(shot.startswith(b"\x89PNG") for shot in shots))
+        self.assertNotEqual(*shots)
+        files = {path.suffix for path in (self.folder / "raytree-export").iterdir()}
+        self.assertLessEqual({".json", ".vtp", ".glb", ".gltf", ".html"}, files)
+        self.assertIn("written", state["message"])
+        self.assertEqual([path for path in self.folder.rglob("*part*")], [])
+
+    # The window
+
+    def test_the_window_can_be_resized(self):
+        viewer = self.view()
+        first = self.rest(viewer)
+        window = subprocess.run(["xdotool", "search", "--name", "^raytree$"], env=self.screen.env, capture_output=True, text=True).stdout.split()[0]
+        right = (1300, 60, 280, 700)
+        self.changes(right, lambda: viewer.do("windowsize", window, 1280, 720), "the smaller window")
+        viewer.do("mousemove", 172, 168)  # the middle of the picture now
+        viewer.click(172, 168)
+        steady(self.screen, IMAGE)
+        for size in ((300, 200), (801, 455), (1, 1), (WIDTH, HEIGHT)):
+            viewer.do("windowsize", window, *size)
+            steady(self.screen, WHOLE)
+        viewer.do("mousemove", *NOWHERE)
+        self.assertNotEqual(first, steady(self.screen, WHOLE))  # another pixel
+        state = viewer.quit()
+        self.assertAlmostEqual(state["pixel"][0], 320, delta=4)
+        self.assertAlmostEqual(state["pixel"][1], 240, delta=4)
+
+    def test_clicking_wildly_does_no_harm(self):
+        dice = random.Random(20)
+        keys = ["Up", "Down", "Left", "Right", "Home", "End", "space", "Prior", "bracketleft", "bracketright", "1", "2", "3", "4", "5",
+                "n", "c", "d", "l", "h", "m", "g", "7", "Return", "Escape", "r", "t", "w", "slash", "question", "BackSpace"]
+        viewer = self.view(6, "--compare", "schlick")
+        words = []
+        for _ in range(90):
+            words += ["mousemove", dice.randrange(WIDTH), dice.randrange(HEIGHT)]
+            what = dice.randrange(8)
+            if what < 4:
+                words += ["click", dice.choice((1, 1, 1, 2, 3, 4, 5))]
+            elif what < 5:
+                words += ["mousedown", 1, "mousemove", dice.randrange(WIDTH), dice.randrange(HEIGHT), "mouseup", 1]
+            else:
+                words += ["key", dice.choice(keys)]
+        words += ["mouseup", 1, "mouseup", 2, "mouseup", 3, "key", "Escape", "key", "Escape", "key", "Escape"]
+        viewer.do(*words)
+        state = viewer.quit()
+        self.assertTrue(0 <= state["pixel"][0] < PICTURE[0] and 0 <= state["pixel"][1] < PICTURE[1])
+        self.assertTrue(0 <= state["selected"] < state["nodes"])
+        self.assertTrue(0 <= state["step"] <= state["last_step"])
+        self.assertEqual(set(state["kinds"]), KINDS)
 
 
 if __name__ == "__main__":
+    if missing():
+        print(f"{missing()} is not installed: skipped")
+        sys.exit(77)
     unittest.main()

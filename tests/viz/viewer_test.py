@@ -93,6 +93,17 @@ class Viewer(unittest.TestCase):
         self.view(2, "--script", "help on; shot help.png; help off; shot b.png")
         self.assertEqual((self.here / "a.png").read_bytes(), (self.here / "b.png").read_bytes())
 
+    def test_the_fitted_view_does_not_depend_on_what_was_seen_before(self):
+        # Lines are wider from afar; nearly as wide as they should be they must not stay so. In lesson 2
+        # seven steps back from eight are such a place.
+        place = "760 260"
+        words = ["shot 0.png", *[f"wheel {place} out"] * 8]
+        for i in range(1, 9):
+            words += [*[f"wheel {place} in"] * i, "key r", f"shot {i}.png", *[f"wheel {place} out"] * 8]
+        self.view(2, "--script", "; ".join(words))
+        shots = [(self.here / f"{i}.png").read_bytes() for i in range(9)]
+        self.assertEqual([i for i in range(9) if shots[i] != shots[0]], [])
+
     def test_a_tree_of_one_pixel_stays_at_it(self):
         self.view(6, "--export", "tree.json")
         state = self.state("tree.json", script="pick 1 1; depth 0")
@@ -130,6 +141,19 @@ class Viewer(unittest.TestCase):
         self.assertIn("missing", self.refused(6, "--export", "missing/tree.json"))
         self.write("file", "")
         self.refused(6, "--export", "file")
+
+    def test_whatever_cannot_be_written_is_refused_before_anything_is_traced(self):
+        self.write("broken.toml", "this is no scene")  # what would be said, were the scene read first
+        (self.here / "folder.png").mkdir()
+        for path in ("missing/file.png", "folder.png", "broken.toml/file.png"):
+            for option in ("--state", "--screenshot", "--record"):
+                with self.subTest(f"{option} {path}"):
+                    script = ["--script", "next"] if option == "--state" else []
+                    self.assertTrue(self.refused("broken.toml", option, path, *script).startswith(f"viewer: {path}: "))
+
+    def test_only_a_window_can_be_recorded(self):
+        for words in (("--script", "next"), ("--screenshot", "a.png"), ("--export", "out")):
+            self.assertIn("--record", self.refused(6, "--record", "mine.log", *words))
 
     # Ray trees from files
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace rt::viz
+namespace rt
 {
 
 inline std::string base64(std::string_view bytes)
@@ -23,4 +23,4 @@ inline std::string base64(std::string_view bytes)
     return text;
 }
 
-} // namespace rt::viz
+} // namespace rt

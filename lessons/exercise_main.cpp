@@ -1,0 +1,13 @@
+#include "lessons/exercise_main.h"
+
+#include <fmt/format.h>
+
+namespace rt
+{
+
+int exerciseMain(const LessonEntry& exercise, const LectureFormulas& formulas, int argc, char** argv)
+{
+    return programMain(exercise, fmt::format("exercise{:02}", exercise.number), "Exercise", formulas, argc, argv);
+}
+
+} // namespace rt

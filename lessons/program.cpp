@@ -1,0 +1,102 @@
+#include "lessons/program.h"
+
+#include <iostream>
+
+#include <fmt/format.h>
+
+#include "common/explain.h"
+#include "common/scene_file.h"
+
+namespace rt
+{
+
+namespace
+{
+
+void printTree(const LessonEntry& lesson, const SceneDescription& scene, const LessonOptions& options,
+               const LectureFormulas& formulas)
+{
+    RayTree tree = lesson.inspect(scene, options.precision(), probe(options, scene));
+    tree.source = lesson.source;
+    if (options.tree == "json") std::cout << toJson(tree);
+    if (options.tree == "text" || (options.tree.empty() && !options.explain)) std::cout << toText(tree);
+    if (options.explain) (options.tree == "json" ? std::cerr : std::cout) << explain(tree, scene, formulas);
+}
+
+int renderPicture(const LessonEntry& lesson, const SceneDescription& scene, const LessonOptions& options,
+                  const std::string& path)
+{
+    checkWritable(path);
+    watchInterrupt();
+    const RenderOptions render{.spp = options.spp,
+                               .threads = options.threads,
+                               .progress = progressBar(fmt::format("lesson {:02}", lesson.number)),
+                               .stop = &interrupted()};
+    const Image image = lesson.render(scene, options.precision(), render);
+    if (interrupted())
+    {
+        std::cerr << "interrupted: nothing was written\n";
+        return exitInterrupted;
+    }
+    writeImage(image, path);
+    std::cerr << fmt::format("{}: {}x{} pixels, lesson {:02} {}, {}\n", path, image.width, image.height, lesson.number,
+                             lesson.title, options.real);
+    return exitDone;
+}
+
+} // namespace
+
+void addLessonOptions(CLI::App& app, LessonOptions& options)
+{
+    addTraceOptions(app, options);
+    app.add_option("--out", options.out, "where the picture goes: .png, .ppm (8-bit sRGB), .exr or .hdr (linear)")
+        ->type_name("FILE");
+    app.add_option("--tree", options.tree, "print the ray tree of --pixel, --ray or the scene's own pixel")
+        ->check(CLI::IsMember({"text", "json"}));
+    app.add_flag("--explain", options.explain, "print each formula of that tree with its numbers");
+    app.add_flag("--force", options.force, "trace a scene that needs a later lesson, as far as this one can");
+}
+
+void footer(CLI::App& app, const std::string& command)
+{
+    app.footer(fmt::format("Examples:\n"
+                           "  {0}                                       its own first scene, to {1}.png\n"
+                           "  {0} scene.toml --size 1024x768 --out picture.exr\n"
+                           "  {0} --pixel 320,240 --tree text           why has this pixel its colour?\n"
+                           "  {0} --ray 0,1,5,0,0,-1 --tree json        one ray, for other programs\n"
+                           "Exit codes: 0 done, 2 bad input or usage, 130 interrupted.",
+                           command, app.get_name()));
+}
+
+int run(const LessonEntry& lesson, const SceneDescription& scene, const LessonOptions& options,
+        const std::string& command, const LectureFormulas& formulas)
+{
+    checkModels(lesson, scene, options.force);
+    if (options.wantsTree()) printTree(lesson, scene, options, formulas);
+    if (options.wantsTree() && options.out.empty()) return exitDone;
+    return renderPicture(lesson, scene, options, options.out.empty() ? command + ".png" : options.out);
+}
+
+int programMain(const LessonEntry& lesson, const std::string& program, const char* what,
+                const LectureFormulas& formulas, int argc, char** argv, const std::vector<ExtraOption>& extra)
+{
+    CLI::App app(fmt::format("{} {:02}, {}. Lecture: {}.", what, lesson.number, lesson.title, lesson.slides), program);
+    LessonOptions options;
+    addLessonOptions(app, options);
+    std::vector<std::string> values(extra.size());
+    for (std::size_t i = 0; i < extra.size(); ++i)
+        app.add_option(extra[i].name, values[i], extra[i].help)->type_name(extra[i].type);
+    footer(app, program);
+    return runMain(app, argc, argv, [&] {
+        for (std::size_t i = 0; i < extra.size(); ++i)
+            if (!values[i].empty())
+            {
+                extra[i].run(values[i]);
+                return int(exitDone);
+            }
+        if (options.scene.empty()) options.scene = projectFile(lesson.scene);
+        return run(lesson, loadScene(options), options, program, formulas);
+    });
+}
+
+} // namespace rt

@@ -1,0 +1,46 @@
+// What the programs of lessons and exercises, and `render`, have in common.
+#pragma once
+
+#include "common/cli.h"
+#include "common/explain.h"
+#include "lessons/facts.h"
+
+namespace rt
+{
+
+struct LessonOptions : TraceOptions
+{
+    std::string out;
+    std::string tree;
+    bool explain = false;
+    bool force = false;
+
+    bool wantsTree() const
+    {
+        return hasProbe() || !tree.empty() || explain;
+    }
+};
+
+void addLessonOptions(CLI::App& app, LessonOptions& options);
+
+/// Examples for the help.
+void footer(CLI::App& app, const std::string& command);
+
+/// Prints the tree and writes the picture, as the options ask. Returns the exit code.
+int run(const LessonEntry& lesson, const SceneDescription& scene, const LessonOptions& options,
+        const std::string& command, const LectureFormulas& formulas);
+
+/// An option that only one lesson has: `run` gets its value and replaces everything else that the program does.
+struct ExtraOption
+{
+    const char* name;
+    const char* type;
+    const char* help;
+    std::function<void(const std::string&)> run;
+};
+
+/// The command line of a lesson or an exercise; `what` is "Lesson" or "Exercise".
+int programMain(const LessonEntry& lesson, const std::string& program, const char* what,
+                const LectureFormulas& formulas, int argc, char** argv, const std::vector<ExtraOption>& extra = {});
+
+} // namespace rt

@@ -1,0 +1,85 @@
+#!/usr/bin/env python3
+"""Makes the kits: what the compile box sees. One a group of lessons, as a lesson's own functions must not be in it.
+
+    make_kit.py OUT COMPILER
+
+writes OUT/01, OUT/04 and OUT/rest, each with the headers that tests/grade/wire/student.h needs, precompiled, the runner's
+object and exercise.student.cpp; and OUT/flags, one a line, that all of it is and must be compiled with, and OUT/compiler. In OUT/01 rays meet neither spheres nor planes; in OUT/01 and OUT/04
+the lat-long map throws NotAttempted.
+"""
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+WIRE = "tests/grade/wire"
+SOURCES = [f"{WIRE}/student.h", f"{WIRE}/exercise.student.cpp", f"{WIRE}/runner.student.cpp"]
+STUBS = {"01": ["01-sphere", "01-plane", "04-latlong"], "04": ["04-latlong"], "rest": []}
+FILL = "-ftrivial-auto-var-init=pattern"  # of ours; a precompiled header serves the others too
+# Lesson 01's recorder asks what blocks a shadow ray; a mark thrown there would look like the student's.
+BODIES = {"01-sphere": "return std::nullopt;", "01-plane": "return std::nullopt;"}
+# One machine for all: no -march. Whoever nests templates deeper than this, or lets the compiler compute longer, exhausts it.
+FLAGS = ["-std=c++20", "-O1", "-ffp-contract=off", "-fno-lto", "-fno-diagnostics-show-caret", "-fdiagnostics-color=never",
+         "-fmax-errors=20", "-ftemplate-depth=200", "-fconstexpr-depth=256", "-fconstexpr-ops-limit=10000000",
+         "-fconstexpr-loop-limit=1000000", "-ftemplate-backtrace-limit=4", "-w", "-pipe"]
+
+
+def headers(compiler):
+    """The headers of ours that the student's side includes."""
+    files = set()
+    for source in SOURCES:
+        if source.endswith("exercise.student.cpp"):
+            continue
+        made = subprocess.run([compiler, "-std=c++20", "-x", "c++", f"-I{ROOT}", "-MM", source], cwd=ROOT, check=True,
+                              capture_output=True, text=True).stdout
+        files |= {pathlib.Path(word) for word in re.sub(r"\\\n", " ", made).split()[1:]}
+    files = {file.relative_to(ROOT) if file.is_absolute() else file for file in files} | {pathlib.Path(SOURCES[1])}
+    for file in files:
+        if "trace.h" == file.name or file.name == "geometry.h" or "questions" in file.parts or "box" in file.parts:
+            sys.exit(f"make_kit.py: {file} holds solutions and must not be in a kit")
+    return sorted(files)
+
+
+def stubbed(text, ids):
+    """The text with the solutions of these ids replaced, and how many that were. Marks of others are removed."""
+    count = 0
+
+    def body(match):
+        nonlocal count
+        if match["id"] not in ids:
+            return match["body"]
+        count += 1
+        return match["indent"] + BODIES.get(match["id"], f'todo("{match["id"]}");') + "\n"
+
+    text = re.sub(r"^(?P<indent> *)// SOLUTION (?P<id>\S+)\n(?P<body>.*?)^ *// END\n", body, text, flags=re.M | re.S)
+    if count:
+        text = text.replace("#pragma once\n", '#pragma once\n\n#include "common/todo.h"\n', 1)
+    return text, count
+
+
+def main():
+    out, compiler = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2]
+    if out.exists():
+        shutil.rmtree(out)
+    files = headers(compiler)
+    for kit, ids in STUBS.items():
+        replaced = 0
+        for file in files:
+            text, count = stubbed((ROOT / file).read_text(), ids)
+            replaced += count
+            (out / kit / file).parent.mkdir(parents=True, exist_ok=True)
+            (out / kit / file).write_text(text)
+        if replaced != len(ids):
+            sys.exit(f"make_kit.py: kit {kit}: {len(ids)} solutions should be replaced, {replaced} were found")
+        run = [compiler, *FLAGS, "-I."]
+        runner = f"{WIRE}/runner.student.cpp"
+        subprocess.run([*run, FILL, "-c", runner, "-o", "runner.o"], cwd=out / kit, check=True)
+        (out / kit / runner).unlink()
+        subprocess.run([*run, FILL, "-x", "c++-header", f"{WIRE}/student.h"], cwd=out / kit, check=True)
+    (out / "flags").write_text("\n".join(FLAGS) + "\n")
+    (out / "compiler").write_text(str(pathlib.Path(shutil.which(compiler)).resolve()) + "\n")
+
+
+main()

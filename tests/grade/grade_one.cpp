@@ -1,0 +1,140 @@
+#include "tests/grade/grade_one.h"
+
+#include <chrono>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "common/image.h"
+#include "tests/grade/box/compile.h"
+#include "tests/grade/digest.h"
+#include "tests/grade/wire/remote.h"
+
+namespace rt::grade
+{
+
+namespace
+{
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start)
+{
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Lengths stand before texts: no two lists run together to the same bytes.
+std::string hashOf(const std::vector<std::string>& parts)
+{
+    std::string all;
+    for (const auto& part : parts) all += fmt::format("{}:{}", part.size(), part);
+    return sha256Hex(all);
+}
+
+/// A wrong answer that another content of unset memory could explain: nothing crashed, nothing is missing.
+bool mayBeUninitialised(const Answers& answers)
+{
+    bool wrong = false;
+    for (const auto& one : answers.classes)
+    {
+        if (one.outcome == Outcome::wrong || one.outcome == Outcome::notDeterministic) wrong = true;
+    }
+    return wrong;
+}
+
+} // namespace
+
+std::string graderHash()
+{
+    std::vector<std::string> all;
+    for (const char* file : {"/proc/self/exe", GRADE_KIT "/rest/runner.o", GRADE_KIT "/compiler"})
+        all.push_back(sha256Hex(readTextFile(file)));
+    return hashOf(all);
+}
+
+std::string graderKey(const Setting& setting)
+{
+    return hashOf({setting.grader, std::to_string(setting.lesson), setting.secret.course, setting.secret.term,
+                   name(setting.sandbox), fmt::format("{}", setting.limits.cpuSeconds)});
+}
+
+std::string keyOf(const Setting& setting, const Taken& taken)
+{
+    return hashOf({graderKey(setting), name(taken.state), taken.reason, taken.text});
+}
+
+SubmissionResult gradeOne(const Submission& submission, const Taken& taken, const Setting& setting, int worker,
+                          const std::string& folder, const std::atomic<bool>& stop)
+{
+    const auto start = Clock::now();
+    SubmissionResult result;
+    result.student = submission.student;
+    result.lesson = setting.lesson;
+    result.key = keyOf(setting, taken);
+    result.grader = graderKey(setting);
+    result.sandbox = name(setting.sandbox);
+    result.state = taken.state;
+    result.reason = taken.reason;
+    result.remarks = taken.remarks;
+    if (taken.state != State::graded) return result;
+    const auto failed = [&result](const char* why) {
+        result.state = State::graderError;
+        result.reason = why;
+        result.classes.clear();
+    };
+    try
+    {
+        const Box box{setting.sandbox, worker};
+        const auto compiled = compileSubmission(box, setting.lesson, taken.text, folder);
+        result.compileSeconds = compiled.cpuSeconds;
+        result.remarks.insert(result.remarks.end(), compiled.remarks.begin(), compiled.remarks.end());
+        if (!compiled.ok)
+        {
+            result.state = State::notCompiled;
+            result.reason = compiled.reason;
+            result.compilerErrors = compiled.errors;
+            result.seconds = secondsSince(start);
+            return result;
+        }
+        std::vector<Remote> remotes;
+        const auto ask = [&](const std::string& program, const AskOptions& options) {
+            return gradeCandidate(
+                setting.lesson,
+                [&] {
+                    remotes.emplace_back(box, program, setting.lesson, setting.limits);
+                    return remotes.back().candidate();
+                },
+                setting.secret, options);
+        };
+        AskOptions options;
+        options.stop = &stop;
+        auto answers = ask(compiled.program, options);
+        if (!remotes.empty()) result.studentText = remotes.front().text();
+        if (mayBeUninitialised(answers))
+        {
+            const auto zero = compileSubmission(box, setting.lesson, taken.text, folder, Fill::zero);
+            options.twice = options.mistakes = options.pictures = false; // classes of numbers tell it as well
+            if (zero.ok)
+                if (const auto remark = uninitialised(answers, ask(zero.program, options)))
+                    answers.remarks.push_back(*remark);
+        }
+        result.classes = std::move(answers.classes);
+        result.remarks.insert(result.remarks.end(), answers.remarks.begin(), answers.remarks.end());
+    }
+    catch (const Interrupted&)
+    {
+        // The caller knows.
+    }
+    catch (const std::exception& error)
+    {
+        failed(error.what());
+    }
+    catch (const GraderError& error)
+    {
+        failed(error.what());
+    }
+    result.seconds = secondsSince(start);
+    return result;
+}
+
+} // namespace rt::grade

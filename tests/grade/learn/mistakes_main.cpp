@@ -1,0 +1,29 @@
+// What known mistakes answer to the public cases, as files for `learn` and for hand-outs: grade_mistakes DIR
+#include <filesystem>
+#include <iostream>
+
+#include <fmt/format.h>
+
+#include "common/image.h"
+#include "tests/grade/questions/mistakes.h"
+
+int main(int argc, char** argv)
+{
+    if (argc != 2)
+    {
+        std::cerr << "usage: grade_mistakes DIR\n";
+        return 2;
+    }
+    try
+    {
+        std::filesystem::create_directories(argv[1]);
+        for (int lesson = 0; lesson <= 8; ++lesson)
+            rt::writeTextFile(fmt::format("{}/{:02}.json", argv[1], lesson), rt::grade::mistakesJson(lesson));
+    }
+    catch (const std::exception& error)
+    {
+        std::cerr << "grade_mistakes: " << error.what() << '\n';
+        return 2;
+    }
+    return 0;
+}

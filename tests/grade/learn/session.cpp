@@ -1,0 +1,160 @@
+#include "tests/grade/learn/session.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "common/cli.h"
+#include "common/image.h"
+#include "tests/grade/box/compile.h"
+#include "tests/grade/questions/mistakes.h"
+#include "tests/grade/wire/remote.h"
+
+namespace rt::grade
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+constexpr int lastLesson = 8;
+
+/// What known mistakes answer; none if the file is not there.
+std::vector<KnownMistake> storedMistakes(int lesson)
+{
+    for (const std::string& folder :
+         {projectFile("tests/grade/mistakes"), std::string(RAYTREE_BINARY_DIR) + "/mistakes"})
+        if (const auto path = fmt::format("{}/{:02}.json", folder, lesson); fs::exists(path))
+            return mistakesFromJson(readTextFile(path));
+    return {};
+}
+
+void nameMistake(Attempt& attempt, const std::string& id, const Candidate& candidate, int lesson)
+{
+    if (attempt.outcome != Outcome::wrong) return;
+    const auto known = storedMistakes(lesson);
+    if (known.empty()) return;
+    try
+    {
+        const auto likely = likelyMistakes(ownCasesAnswers(candidate, lesson), known);
+        if (const auto found = likely.find(id); found != likely.end()) attempt.mistake = found->second;
+    }
+    catch (const GraderError& error)
+    {
+        throw std::runtime_error(error.what());
+    }
+}
+
+} // namespace
+
+const Exercise& Session::current() const
+{
+    if (const auto* exercise = find(progress.current)) return *exercise;
+    return exercises.front();
+}
+
+const Exercise* Session::find(const std::string& id) const
+{
+    for (const auto& exercise : exercises)
+        if (exercise.id == id) return &exercise;
+    return nullptr;
+}
+
+const Exercise* Session::neighbour(const std::string& id, int step) const
+{
+    const auto* exercise = find(id);
+    const auto place = exercise ? exercise - exercises.data() + step : 0;
+    return place >= 0 && place < std::ptrdiff_t(exercises.size()) ? &exercises[std::size_t(place)] : nullptr;
+}
+
+const Exercise* Session::nextToDo(const std::string& id) const
+{
+    const auto* exercise = find(id);
+    const auto start = exercise ? std::size_t(exercise - exercises.data()) + 1 : 0;
+    for (std::size_t i = 0; i < exercises.size(); ++i)
+        if (const auto& one = exercises[(start + i) % exercises.size()]; progress.of(one.id) != Standing::right)
+            return &one;
+    return nullptr;
+}
+
+std::vector<Exercise> Session::lesson(int number) const
+{
+    std::vector<Exercise> some;
+    for (const auto& exercise : exercises)
+        if (exercise.lesson == number) some.push_back(exercise);
+    return some;
+}
+
+std::string Session::fileOf(int lesson) const
+{
+    if (!file.empty()) return file;
+    const auto start = fmt::format("{:02}_", lesson);
+    for (const auto& entry : fs::directory_iterator(projectFile("lessons")))
+        if (entry.path().filename().string().starts_with(start)) return (entry.path() / "exercise.h").string();
+    throw std::runtime_error(fmt::format("there is no folder lessons/{}...", start));
+}
+
+Session openSession(const std::string& stateFile, std::string& notice)
+{
+    Session session;
+    for (int lesson = 0; lesson <= lastLesson; ++lesson)
+        for (const auto& exercise : exercisesOf(lesson)) session.exercises.push_back(exercise);
+    if (session.exercises.empty())
+        throw std::runtime_error("lessons/exercises.toml has no exercises of lessons 0 to 8");
+    session.stateFile = stateFile;
+    session.progress = loadProgress(stateFile, notice);
+    if (!session.find(session.progress.current))
+    {
+        const auto* next = session.nextToDo("");
+        session.progress.current = (next ? *next : session.exercises.back()).id;
+    }
+    return session;
+}
+
+LessonRun runLesson(const Session& session, int lesson, const std::string& first)
+{
+    const std::string text = readTextFile(session.fileOf(lesson));
+    const Box box{Sandbox::none, 0};
+    const TemporaryFolder folder;
+    const auto compiled = compileSubmission(box, lesson, text, folder.path);
+    LessonRun run{compiled.ok, compiled.reason, compiled.errors, compiled.remarks, {}, ""};
+    if (!compiled.ok) return run;
+    Remote remote(box, compiled.program, lesson, Limits());
+    const auto candidate = remote.candidate();
+    run.attempts = runCases(candidate, session.lesson(lesson), first);
+    if (const auto found = run.attempts.find(first); found != run.attempts.end())
+        nameMistake(found->second, first, candidate, lesson);
+    run.text = remote.text();
+    return run;
+}
+
+void note(Session& session, const LessonRun& run)
+{
+    for (const auto& [id, attempt] : run.attempts)
+        if (attempt.outcome != Outcome::notRun)
+            session.progress.exercises[id] = attempt.outcome == Outcome::passed         ? Standing::right
+                                             : attempt.outcome == Outcome::notAttempted ? Standing::notAttempted
+                                                                                        : Standing::wrong;
+    saveProgress(session.stateFile, session.progress);
+}
+
+int todoLine(const std::string& text, const std::string& id)
+{
+    const auto at = text.find("todo(\"" + id + "\")");
+    return at == std::string::npos ? 0 : 1 + int(std::count(text.begin(), text.begin() + std::ptrdiff_t(at), '\n'));
+}
+
+bool isHandout()
+{
+    return fs::exists(projectFile(".raytree-handout"));
+}
+
+std::string shortened(const std::string& path)
+{
+    const auto relative = fs::path(path).lexically_relative(projectFile("")).string();
+    return relative.empty() || relative.starts_with("..") ? path : relative;
+}
+
+} // namespace rt::grade

@@ -1,0 +1,44 @@
+// Which known mistake a student has probably made: the mutant (tests/lessons/mutants.toml) that gives the same wrong answers.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tests/grade/candidate.h"
+
+namespace rt::grade
+{
+
+/// Wrong answers to public questions of one exercise: which question -> the answer as text.
+using Evidence = std::map<std::string, std::string>;
+
+struct KnownMistake
+{
+    std::string id;                           ///< "06-no-squares"
+    std::string mistake;                      ///< "the squares are missing, as printed"
+    std::map<std::string, Evidence> evidence; ///< by exercise
+};
+
+struct WrongAnswers
+{
+    std::map<std::string, Evidence> evidence; ///< by exercise; only where something is wrong
+    std::set<std::string> unfinished;         ///< exercises that have not been attempted, or that ask one that has not
+};
+
+/// By exercise: "n1 and n2 are swapped". A mistake is named for an exercise only if at least three, and all
+/// but 1 in 20, of the questions that the student or the mutant answers wrongly are answered alike (numbers to five digits),
+/// and if the mutant fails in no exercise in which the student does not.
+std::map<std::string, std::string> likelyMistakes(const WrongAnswers& wrong, const std::vector<KnownMistake>& known);
+
+/// The wrong answers of a candidate to the lesson's own cases. Needs no lesson to compare with.
+WrongAnswers ownCasesAnswers(const Candidate& candidate, int lesson);
+
+/// For a hand-out without lessons and mutants: what each mutant answers to the lesson's own cases, as JSON. It gives no
+/// solution away.
+std::string mistakesJson(int lesson);
+/// Reads what mistakesJson wrote. Throws std::runtime_error with one sentence.
+std::vector<KnownMistake> mistakesFromJson(const std::string& json);
+
+} // namespace rt::grade

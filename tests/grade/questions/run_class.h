@@ -1,0 +1,28 @@
+// One class of questions put to one candidate.
+#pragma once
+
+#include "tests/grade/questions/mistakes.h"
+#include "tests/grade/questions/question_set.h"
+
+namespace rt::grade
+{
+
+struct ClassRun
+{
+    int cases = 0, passed = 0;
+    double credit = 0; ///< share of the class's points, in [0, 1]
+    Outcome outcome = Outcome::passed;
+    bool notAttempted = false;
+    std::optional<Example> example; ///< the first failing case
+    Evidence evidence;              ///< wrong answers; none for pictures
+    std::optional<Image> picture;   ///< if it is wrong, and of the right size
+    std::uint64_t fingerprint = 0;
+};
+
+/// Catches all that a candidate's functions throw. `stop` may be null.
+ClassRun runClass(const AskedClass& asked, const Candidate& candidate, const std::atomic<bool>* stop);
+
+/// The comparison for the student's eyes, at the counted pixel that is most wrong; asks the candidate for its ray tree there.
+PictureTriple compareFor(const AskedClass& asked, const Image& got, const Candidate& candidate, int lesson);
+
+} // namespace rt::grade

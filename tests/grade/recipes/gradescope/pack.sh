@@ -1,0 +1,22 @@
+#!/bin/sh
+# Makes autograder.zip to upload: pack.sh LESSON TERM SECRET [OUT.zip]. The zip holds the secret: it is for Gradescope only.
+set -eu
+[ $# -ge 3 ] || { echo "usage: pack.sh LESSON TERM SECRET_FILE [OUT.zip]" >&2; exit 2; }
+here=$(cd "$(dirname "$0")" && pwd)
+root=$(cd "$here/../../../.." && pwd)
+out=$(realpath -m "${4:-autograder.zip}")
+case $1 in [0-8]) ;; *) echo "pack.sh: expected a lesson from 0 to 8, got \"$1\"" >&2; exit 2 ;; esac
+case $2 in *[!A-Za-z0-9._-]*) echo "pack.sh: expected a term of letters, digits and . _ -, got \"$2\"" >&2; exit 2 ;; esac
+[ -r "$3" ] || { echo "pack.sh: $3 cannot be read; expected the file of the course's secret" >&2; exit 2; }
+folder=$(mktemp -d)
+trap 'rm -rf "$folder" "$out.part"' EXIT
+mkdir "$folder/raytree"
+(cd "$root" && git ls-files -z | tar --null -T - -cf -) | tar -xf - -C "$folder/raytree"
+cp "$here/setup.sh" "$here/run_autograder" "$folder/"
+chmod +x "$folder/setup.sh" "$folder/run_autograder"
+cp "$3" "$folder/secret"
+chmod 600 "$folder/secret" # students' code must not read it there either
+printf 'LESSON=%s\nTERM_NAME=%s\n' "$1" "$2" >"$folder/course.sh"
+(umask 077 && cd "$folder" && python3 -m zipfile -c "$out.part" ./*)
+mv "$out.part" "$out"
+echo "$out"

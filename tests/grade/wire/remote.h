@@ -1,0 +1,40 @@
+// A student's program as a candidate: each call is a question to a process in a box.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "tests/grade/box/box.h"
+#include "tests/grade/candidate.h"
+
+namespace rt::grade
+{
+
+/// Starts a process at the first question, and another one after each that ended, hung or did not keep to the protocol.
+/// Copies share the processes. To be used in one thread, the one that asks.
+class Remote
+{
+public:
+    /// `program`: an exercise of this lesson (0 to 8) linked with the runner. A question may take wallSeconds / 12, a picture or
+    /// the first question of a process 5/12 of them; all questions to one process wallSeconds, all together three times that.
+    Remote(const Box& box, const std::string& program, int lesson, const Limits& limits);
+
+    /// Its functions, those that the lesson has, throw what the student's exercise did: NotAttempted with an id of this lesson,
+    /// or std::runtime_error with the text of an exception, which is foreign. Died: see there; after 20 deaths, or when the
+    /// time is used up, they throw Died with notRun and start nothing. GraderError: the box failed.
+    Candidate candidate() const;
+
+    /// Ends the process, if there is one, and gives what all of them printed: 4 KiB of each of the first four. Foreign.
+    std::string text();
+
+    int deaths() const;
+
+private:
+    struct State;
+    std::shared_ptr<State> state;
+};
+
+/// Remote(...).candidate()
+Candidate remoteCandidate(const Box& box, const std::string& program, int lesson, const Limits& limits);
+
+} // namespace rt::grade

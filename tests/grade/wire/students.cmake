@@ -1,0 +1,49 @@
+# Students' programs for the tests: the exercises as they are, solved, and one that misbehaves. The box compiles real ones.
+target_link_libraries(raytree_grade PRIVATE tomlplusplus::tomlplusplus)
+
+add_library(grade_runner OBJECT wire/runner.student.cpp)
+target_precompile_headers(grade_runner PRIVATE wire/student.h)
+target_compile_options(grade_runner PRIVATE -O1)
+target_link_libraries(grade_runner PRIVATE raytree_core)
+
+# What stands in the folder `students` of the build.
+function(grade_student name)
+  add_executable(grade_student_${name} ${ARGN} $<TARGET_OBJECTS:grade_runner>)
+  set_target_properties(grade_student_${name} PROPERTIES OUTPUT_NAME ${name}
+    RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/students)
+  target_precompile_headers(grade_student_${name} REUSE_FROM grade_runner)
+  target_compile_options(grade_student_${name} PRIVATE -O1)
+  target_link_libraries(grade_student_${name} PRIVATE raytree_core)
+  if(NOT CMAKE_CXX_FLAGS MATCHES "fsanitize") # sanitizers need their library
+    target_link_options(grade_student_${name} PRIVATE -static)
+  endif()
+  add_dependencies(grade_tests grade_student_${name})
+endfunction()
+
+foreach(number RANGE 8)
+  file(GLOB lesson ${PROJECT_SOURCE_DIR}/lessons/0${number}_*)
+  grade_student(exercise0${number} wire/exercise.student.cpp)
+  target_include_directories(grade_student_exercise0${number} PRIVATE ${lesson})
+  target_compile_definitions(grade_student_exercise0${number} PRIVATE RAYTREE_LESSON=${number})
+
+  set(folder ${CMAKE_CURRENT_BINARY_DIR}/solved0${number})
+  file(CONFIGURE OUTPUT ${folder}/exercise.h CONTENT "#include \"solved0${number}.h\"\n")
+  grade_student(solved0${number} wire/exercise.student.cpp)
+  target_include_directories(grade_student_solved0${number} PRIVATE ${folder} ${solved})
+  target_compile_definitions(grade_student_solved0${number} PRIVATE RAYTREE_LESSON=${number}
+    exercise0${number}=solved0${number})
+  add_dependencies(grade_student_solved0${number} solved_exercises)
+endforeach()
+grade_student(misbehaving wire/misbehaving.student.cpp)
+grade_student(blockerless wire/blockerless.student.cpp)
+target_include_directories(grade_student_blockerless PRIVATE ${solved})
+add_dependencies(grade_student_blockerless solved_exercises)
+
+target_compile_definitions(grade_tests PRIVATE RAYTREE_STUDENTS="${PROJECT_BINARY_DIR}/students/")
+if(TARGET raytree_cases)
+  target_link_libraries(grade_tests PRIVATE raytree_cases)
+else()
+  file(GLOB cases CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/lessons/cases_*.cpp
+       ${PROJECT_SOURCE_DIR}/tests/lessons/*_cases.cpp)
+  target_sources(grade_tests PRIVATE ${cases})
+endif()
