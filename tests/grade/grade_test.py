@@ -137,6 +137,8 @@ class Grade(unittest.TestCase):
         self.assertFalse([row["student"] for row in rows if row["student"].startswith("=")])
         self.assertEqual({float(row["points"]) for row in rows if row["student"] == "bob"}, {round(points["bob"], 2)})
         self.assertTrue((WHOLE / "class.html").is_file() and (WHOLE / "junit.xml").is_file())
+        scene = re.search(r"view 2 (scenes/[\w-]+\.toml) --pixel", (WHOLE / "reports/bob.html").read_text())
+        self.assertTrue(scene and "[camera]" in (WHOLE / "reports" / scene[1]).read_text())
 
     def test_standard_output_is_a_json_line_for_each_submission(self):
         lines = [json.loads(line) for line in LINES]

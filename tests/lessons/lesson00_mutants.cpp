@@ -1,5 +1,5 @@
-#include "lessons/00_geometry/geometry.h"
 #include "tests/lessons/lesson00_mutants.h"
+#include "lessons/00_geometry/geometry.h"
 
 namespace rt::cases
 {

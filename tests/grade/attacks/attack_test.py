@@ -95,6 +95,8 @@ def check(attack, result, folder, verdicts):
     told = (folder.parents[1] / "reports" / (folder.name + ".html")).read_text() + json.dumps({**result, "extra_data": None})
     if "remark" in attack:
         verdicts.that(name, any(attack["remark"] in remark for remark in data["remarks"]), f"no remark says \"{attack['remark']}\": {data['remarks']}")
+    for words in ("before it is set", "differ"):  # what is said of everybody says nothing
+        verdicts.that(name, attack.get("remark") == words or not any(words in remark for remark in data["remarks"]), f"a remark says \"{words}\": {data['remarks']}")
     if "message" in attack:
         verdicts.that(name, attack["message"] in told, f"nothing says \"{attack['message']}\": {data['reason']} {data['compiler_errors']}")
     verdicts.that(name, "/tmp/" not in told and str(ROOT) not in told, "a path of ours is told")

@@ -44,6 +44,12 @@ struct Asking
     }
 };
 
+/// Answers that the clock cut short say nothing of a program: the machine may have been busier in one run.
+bool differ(const ClassRun& first, const ClassRun& second)
+{
+    return !first.outOfTime && !second.outOfTime && first.fingerprint != second.fingerprint;
+}
+
 ClassResult resultOf(const AskedClass& asked, const ClassRun& first, const ClassRun* second)
 {
     ClassResult result;
@@ -55,7 +61,7 @@ ClassResult resultOf(const AskedClass& asked, const ClassRun& first, const Class
     result.passed = second ? std::min(first.passed, second->passed) : first.passed;
     result.points = asked.most * (second ? std::min(first.credit, second->credit) : first.credit);
     result.outcome = second ? std::max(first.outcome, second->outcome) : first.outcome;
-    if (second && first.fingerprint != second->fingerprint)
+    if (second && differ(first, *second))
         result.outcome = std::max(result.outcome, Outcome::notDeterministic);
     if (!asked.hidden) result.example = first.example || !second ? first.example : second->example;
     return result;
@@ -96,7 +102,7 @@ Answers gradeCandidate(int lesson, const std::function<Candidate()>& start, cons
     {
         answers.classes.push_back(resultOf(*asking.classes[i], first[i], options.twice ? &second[i] : nullptr));
         answers.classes.back().pictures = asking.pictures[i];
-        if (options.twice && first[i].fingerprint != second[i].fingerprint)
+        if (options.twice && differ(first[i], second[i]))
             addOnce(answers.remarks, "answers differ between two runs");
     }
     if (options.mistakes) nameMistakes(answers, asking.classes, first, lesson);
@@ -109,7 +115,8 @@ std::optional<std::string> uninitialised(const Answers& pattern, const Answers& 
     for (const auto& one : pattern.classes)
         for (const auto& other : zero.classes)
             if (one.exercise == other.exercise && one.name == other.name && one.hidden == other.hidden &&
-                one.outcome != Outcome::passed && other.outcome == Outcome::passed)
+                one.outcome != Outcome::passed && one.outcome != Outcome::timedOut && one.outcome != Outcome::notRun &&
+                other.outcome == Outcome::passed)
                 addOnce(exercises, one.exercise);
     if (exercises.empty()) return std::nullopt;
     return fmt::format("a variable is read before it is set, in {}", fmt::join(exercises, ", "));

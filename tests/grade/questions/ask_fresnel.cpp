@@ -1,4 +1,5 @@
 // Lesson 06: how much is reflected, exact and after Schlick, and both rays.
+#include "tests/grade/questions/media.h"
 #include "tests/grade/questions/question.h"
 
 namespace rt::grade
@@ -27,46 +28,32 @@ Question askShare(Model model, double cos1, double n1, double n2)
             {}};
 }
 
-struct Media
-{
-    double thin, dense;
-};
-
-Media media(Random& random)
-{
-    const double thin = random.in(1, 1.4);
-    return {thin, thin * random.in(1.2, 1.8)};
-}
-
-double cosineFor(double sin2, double n1, double n2)
-{
-    const double sin1 = sin2 * n2 / n1;
-    return std::sqrt(1 - sin1 * sin1);
-}
+/// The denser medium's index, as a multiple of the other's, at least.
+constexpr double leastRatio = 1.2;
 
 template <Model model>
 Question into(Random& random, int)
 {
-    const auto m = media(random);
+    const auto m = media(random, leastRatio);
     return askShare(model, random.in(0.1, 0.98), m.thin, m.dense);
 }
 template <Model model>
 Question outOf(Random& random, int)
 {
-    const auto m = media(random);
+    const auto m = media(random, leastRatio);
     return askShare(model, cosineFor(random.in(0.5, 0.95), m.dense, m.thin), m.dense, m.thin);
 }
 template <Model model>
 Question aroundCritical(Random& random, int index)
 {
-    const auto m = media(random);
+    const auto m = media(random, leastRatio);
     const double sin2 = index % 2 ? random.in(0.8, 0.96) : random.in(1.04, std::max(1.05, 0.99 * m.dense / m.thin));
     return askShare(model, cosineFor(sin2, m.dense, m.thin), m.dense, m.thin);
 }
 template <Model model>
 Question grazing(Random& random, int)
 {
-    const auto m = media(random);
+    const auto m = media(random, leastRatio);
     return askShare(model, random.in(0.01, 0.1), m.thin, m.dense);
 }
 /// Every fourth along the surface of equal media, where the equations are 0/0.
@@ -80,7 +67,7 @@ Question equalMedia(Random& random, int index)
 }
 Question aroundBrewster(Random& random, int index)
 {
-    const auto m = media(random);
+    const auto m = media(random, leastRatio);
     const double n1 = index % 2 ? m.thin : m.dense, n2 = index % 2 ? m.dense : m.thin;
     const double angle = std::atan(n2 / n1) + random.in(-0.02, 0.02);
     return askShare(Model::exact, std::cos(angle), n1, n2);
@@ -108,14 +95,14 @@ Ball ball(Random& random, double inside, double outside, double aside, int depth
 
 Question shares(Random& random, int)
 {
-    const auto m = media(random);
+    const auto m = media(random, leastRatio);
     const auto b = ball(random, m.dense, m.thin, random.in(0.3, 0.9), 1);
     return askTree("a glass ball, max_depth 1", b.build.scene, b.eye, b.D);
 }
 
 Question deeper(Random& random, int index)
 {
-    const auto m = media(random);
+    const auto m = media(random, leastRatio);
     const auto b = ball(random, m.dense, m.thin, random.in(0.3, 0.85), index % 4, V(random.in(0.7, 1)));
     return askTree(fmt::format("a glass ball, max_depth {}", index % 4), b.build.scene, b.eye, b.D);
 }
@@ -123,7 +110,7 @@ Question deeper(Random& random, int index)
 /// All that comes in goes out: under a white sky a ball of clear glass is all but invisible.
 Question furnace(Random& random, int)
 {
-    const auto m = media(random);
+    const auto m = media(random, leastRatio);
     auto b = ball(random, m.dense, m.thin, random.in(0.2, 0.92), random.whole(2, 5));
     b.build.scene.sky.color = V(1);
     b.build.scene.sky.zenith.reset();
@@ -132,14 +119,14 @@ Question furnace(Random& random, int)
 
 Question colours(Random& random, int)
 {
-    const auto m = media(random);
+    const auto m = media(random, leastRatio);
     const auto b = ball(random, m.dense, m.thin, random.in(0.2, 0.85), 3, random.color());
     return askColor("a coloured glass ball", b.build.scene, b.eye, b.D);
 }
 
 Question bubble(Random& random, int index)
 {
-    const auto m = media(random);
+    const auto m = media(random, leastRatio);
     const double aside =
         m.thin / m.dense * (index % 2 ? random.in(0.5, 0.95) : random.in(1.05, 0.97 * m.dense / m.thin));
     const auto b = ball(random, m.thin, m.dense, aside, 2);
@@ -148,7 +135,7 @@ Question bubble(Random& random, int index)
 
 Question modelOfTheScene(Random& random, int index)
 {
-    const auto m = media(random);
+    const auto m = media(random, leastRatio);
     auto b = ball(random, m.dense, m.thin, random.in(0.85, 0.95), 1);
     const FresnelModel model = index % 3 == 0   ? FresnelModel::none
                                : index % 3 == 1 ? FresnelModel::schlick

@@ -1,4 +1,5 @@
 // Lesson 05: k, the transmitted vector, glass.
+#include "tests/grade/questions/media.h"
 #include "tests/grade/questions/question.h"
 
 namespace rt::grade
@@ -35,23 +36,8 @@ Question askK(double cos1, double n1, double n2)
         fmt::format("k for cos1 = {:.6g}, n1 = {:.6g}, n2 = {:.6g}", cos1, n1, n2), Shape::number, forValues, ask, {}};
 }
 
-struct Media
-{
-    double thin, dense;
-};
-
-Media media(Random& random)
-{
-    const double thin = random.in(1, 1.4);
-    return {thin, thin * random.in(1.15, 1.8)};
-}
-
-/// The cosine of an angle of incidence whose sin2 is this.
-double cosineFor(double sin2, double n1, double n2)
-{
-    const double sin1 = sin2 * n2 / n1;
-    return std::sqrt(1 - sin1 * sin1);
-}
+/// The denser medium's index, as a multiple of the other's, at least.
+constexpr double leastRatio = 1.15;
 
 /// Beyond the critical angle, or short of it: sin2 would be 1.02 at least, or is 0.98 at most.
 double sineAround(Random& random, int index, const Media& m)
@@ -61,22 +47,22 @@ double sineAround(Random& random, int index, const Media& m)
 
 Question into(Random& random, int)
 {
-    const auto m = media(random);
+    const auto m = media(random, leastRatio);
     return refractAt(random, random.in(0.15, 0.98), m.thin, m.dense);
 }
 Question outOf(Random& random, int)
 {
-    const auto m = media(random);
+    const auto m = media(random, leastRatio);
     return refractAt(random, cosineFor(random.in(0.1, 0.95), m.dense, m.thin), m.dense, m.thin);
 }
 Question aroundCritical(Random& random, int index)
 {
-    const auto m = media(random);
+    const auto m = media(random, leastRatio);
     return refractAt(random, cosineFor(sineAround(random, index, m), m.dense, m.thin), m.dense, m.thin);
 }
 Question grazing(Random& random, int)
 {
-    const auto m = media(random);
+    const auto m = media(random, leastRatio);
     return refractAt(random, random.in(0.01, 0.1), m.thin, m.dense);
 }
 Question equalMedia(Random& random, int index)
@@ -87,17 +73,17 @@ Question equalMedia(Random& random, int index)
 
 Question kInto(Random& random, int)
 {
-    const auto m = media(random);
+    const auto m = media(random, leastRatio);
     return askK(random.in(0.05, 0.95), m.thin, m.dense);
 }
 Question kOutOf(Random& random, int)
 {
-    const auto m = media(random);
+    const auto m = media(random, leastRatio);
     return askK(cosineFor(random.in(0.1, 0.95), m.dense, m.thin), m.dense, m.thin);
 }
 Question kBeyondCritical(Random& random, int index)
 {
-    const auto m = media(random);
+    const auto m = media(random, leastRatio);
     return askK(cosineFor(sineAround(random, index, m), m.dense, m.thin), m.dense, m.thin);
 }
 
@@ -124,14 +110,14 @@ Ball ball(Random& random, double inside, double outside, double aside, const V& 
 
 Question through(Random& random, int)
 {
-    const auto m = media(random);
+    const auto m = media(random, leastRatio);
     const auto b = ball(random, m.dense, m.thin, random.in(0.15, 0.85));
     return askTree("a glass ball", b.build.scene, b.eye, b.D);
 }
 
 Question bubble(Random& random, int index)
 {
-    const auto m = media(random);
+    const auto m = media(random, leastRatio);
     // The sine of the angle of incidence is how far aside the ray passes.
     const double aside =
         m.thin / m.dense * (index % 2 ? random.in(0.3, 0.95) : random.in(1.05, 0.97 * m.dense / m.thin));
@@ -141,7 +127,7 @@ Question bubble(Random& random, int index)
 
 Question fromWithin(Random& random, int)
 {
-    const auto m = media(random);
+    const auto m = media(random, leastRatio);
     auto b = ball(random, m.dense, m.thin, 0);
     const auto& sphere = b.build.scene.spheres[0];
     const V D = random.direction();
@@ -153,7 +139,7 @@ Question fromWithin(Random& random, int)
 
 Question colours(Random& random, int)
 {
-    const auto m = media(random);
+    const auto m = media(random, leastRatio);
     const auto b = ball(random, m.dense, m.thin, random.in(0.1, 0.85), random.color());
     return askColor("a coloured glass ball", b.build.scene, b.eye, b.D);
 }

@@ -437,6 +437,28 @@ TEST(TwoRuns, ThatDifferCountAsTheWorseOneAndAreSaidToDiffer)
     EXPECT_EQ(answers.remarks, std::vector<std::string>{"answers differ between two runs"});
 }
 
+TEST(TwoRuns, ThatTheClockCutShortAreNotSaidToDiffer)
+{
+    for (const auto ending : {Outcome::timedOut, Outcome::notRun})
+    {
+        const auto answers = gradeTwice(2, [ending](int run) {
+            auto candidate = solved(2);
+            if (run == 1)
+                candidate.tracer.reflect = [ending](const V&, const V&) -> V { throw Died(ending, "it took long"); };
+            candidate.fingerprint = [run] { return std::uint64_t(run); };
+            return candidate;
+        });
+        for (const auto& one : answers.classes)
+            if (one.exercise == "02-reflect")
+            {
+                EXPECT_EQ(one.outcome, ending) << describe(one);
+                EXPECT_EQ(one.points, 0) << describe(one);
+            }
+            else
+                EXPECT_EQ(one.outcome, Outcome::notDeterministic) << describe(one);
+    }
+}
+
 TEST(TwoRuns, CatchDeathsForEachQuestionAndKeepTheWorstOne)
 {
     const auto answers = gradeTwice(5, [](int) {
@@ -514,6 +536,8 @@ TEST(Uninitialised, IsSaidOfWhatIsWrongWithAPatternAndRightWithZero)
     EXPECT_EQ(uninitialised(wrong, right), "a variable is read before it is set, in 05-k");
     EXPECT_EQ(uninitialised(right, right), std::nullopt);
     EXPECT_EQ(uninitialised(wrong, wrong), std::nullopt);
+    pattern.tracer.cosSquared2 = [](auto&&...) -> double { throw Died(Outcome::timedOut, "the machine was busy"); };
+    EXPECT_EQ(uninitialised(grade(5, pattern), right), std::nullopt);
 }
 
 } // namespace

@@ -8,8 +8,8 @@
 
 #include "tests/grade/candidate.h"
 #include "tests/grade/questions/in_float.h"
-#include "tests/lessons/scenes.h"
 #include "tests/grade/questions/random.h"
+#include "tests/lessons/scenes.h"
 
 namespace rt::grade
 {

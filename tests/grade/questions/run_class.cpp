@@ -42,6 +42,7 @@ struct Runner
         }
         catch (const Died& died)
         {
+            run.outOfTime |= died.outcome == Outcome::timedOut || died.outcome == Outcome::notRun;
             failed(key, name(died.outcome), {what, "an answer", died.what(), {}});
             worse(died.outcome);
         }

@@ -17,6 +17,7 @@ struct ClassRun
     Evidence evidence;              ///< wrong answers; none for pictures
     std::optional<Image> picture;   ///< if it is wrong, and of the right size
     std::uint64_t fingerprint = 0;
+    bool outOfTime = false; ///< the clock, not the program, decided what was answered: no run to compare with another
 };
 
 /// Catches all that a candidate's functions throw. `stop` may be null.
