@@ -115,6 +115,7 @@ private:
     static bool visitBlock(const Block& block, const Vec3<Number>& O, const Vec3<Number>& D, PrimitiveId from,
                            const Real& limit, Found& found)
     {
+        // SOLUTION 01-sphere
         using Lanes = rt::Lanes<Number, set>;
         Number bs[lanes], discriminants[lanes];
         unsigned met = 0;
@@ -152,6 +153,7 @@ private:
             if (t > 0 && t <= limit && found(block.id[k], t)) return true;
         }
         return false;
+        // END
     }
 
     std::vector<Block> blocks; ///< in the order of ids, or of the tree's leaves
