@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 #include <OpenImageIO/color.h>
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <unistd.h>
 
@@ -51,6 +52,34 @@ void replaceFile(const std::string& path, const std::function<void(const std::st
     }
 }
 
+/// In the format that the ending of `path` names; into `memory`, if it is given, and not to a file.
+void writePixels(const Image& image, const std::string& path, OIIO::Filesystem::IOProxy* memory = nullptr)
+{
+    auto out = OIIO::ImageOutput::create(path);
+    if (!out) throw std::runtime_error(OIIO::geterror());
+    const bool linear = isLinear(path);
+    OIIO::ImageSpec spec(image.width, image.height, 3, linear ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8);
+    spec.attribute("oiio:ColorSpace", linear ? "Linear" : "sRGB");
+    spec.attribute("DateTime", "1970:01:01 00:00:00"); // else EXR takes the clock's, and equal pictures differ
+    if ((memory && !out->set_ioproxy(memory)) || !out->open(path, spec)) throw std::runtime_error(out->geterror());
+    bool good = true;
+    if (linear)
+    {
+        std::vector<float> values;
+        values.reserve(image.pixels.size() * 3);
+        for (const auto& p : image.pixels) values.insert(values.end(), {float(p.x), float(p.y), float(p.z)});
+        good = out->write_image(OIIO::TypeDesc::FLOAT, values.data());
+    }
+    else
+    {
+        std::vector<unsigned char> values;
+        values.reserve(image.pixels.size() * 3);
+        for (const auto& p : image.pixels) values.insert(values.end(), {toSrgb8(p.x), toSrgb8(p.y), toSrgb8(p.z)});
+        good = out->write_image(OIIO::TypeDesc::UINT8, values.data());
+    }
+    if (!good || !out->close()) throw std::runtime_error(out->geterror());
+}
+
 void checkFolder(const std::string& path)
 {
     const auto folder = fs::absolute(path).parent_path();
@@ -82,31 +111,15 @@ void checkWritable(const std::string& path)
 void writeImage(const Image& image, const std::string& path)
 {
     checkWritable(path);
-    replaceFile(path, [&](const std::string& temporary) {
-        auto out = OIIO::ImageOutput::create(temporary);
-        if (!out) throw std::runtime_error(OIIO::geterror());
-        const bool linear = isLinear(path);
-        OIIO::ImageSpec spec(image.width, image.height, 3, linear ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8);
-        spec.attribute("oiio:ColorSpace", linear ? "Linear" : "sRGB");
-        spec.attribute("DateTime", "1970:01:01 00:00:00"); // else EXR takes the clock's, and equal pictures differ
-        if (!out->open(temporary, spec)) throw std::runtime_error(out->geterror());
-        bool good = true;
-        if (linear)
-        {
-            std::vector<float> values;
-            values.reserve(image.pixels.size() * 3);
-            for (const auto& p : image.pixels) values.insert(values.end(), {float(p.x), float(p.y), float(p.z)});
-            good = out->write_image(OIIO::TypeDesc::FLOAT, values.data());
-        }
-        else
-        {
-            std::vector<unsigned char> values;
-            values.reserve(image.pixels.size() * 3);
-            for (const auto& p : image.pixels) values.insert(values.end(), {toSrgb8(p.x), toSrgb8(p.y), toSrgb8(p.z)});
-            good = out->write_image(OIIO::TypeDesc::UINT8, values.data());
-        }
-        if (!good || !out->close()) throw std::runtime_error(out->geterror());
-    });
+    replaceFile(path, [&](const std::string& temporary) { writePixels(image, temporary); });
+}
+
+std::string pngBytes(const Image& image)
+{
+    OIIO::Filesystem::IOVecOutput memory;
+    writePixels(image, "memory.png", &memory);
+    const auto& bytes = memory.buffer();
+    return {bytes.begin(), bytes.end()};
 }
 
 Image readImage(const std::string& path)

@@ -33,6 +33,9 @@ void checkWritable(const std::string& path);
 /// at all. Throws std::runtime_error with one sentence.
 void writeImage(const Image& image, const std::string& path);
 
+/// What writeImage puts into a .png, as bytes in memory. Throws std::runtime_error with one sentence.
+std::string pngBytes(const Image& image);
+
 /// Reads a picture as linear RGB (files of whole numbers, as .png, are taken as sRGB). Throws std::runtime_error with one sentence.
 Image readImage(const std::string& path);
 

@@ -23,19 +23,16 @@ constexpr std::size_t longestString = 4096;               // bytes; names and pa
 constexpr int deepest = 64;                               // arrays and objects in one another; we write 4
 constexpr int mostValues = 200;                           // of one entry, keys that we do not know left out
 
-Json number(double x)
-{
-    return std::isfinite(x) ? Json(x) : Json(nullptr);
-}
+// Numbers that are not finite become null when they are written.
 
 Json triple(const Vec3<double>& v)
 {
-    return Json::array({number(v.x), number(v.y), number(v.z)});
+    return Json::array({v.x, v.y, v.z});
 }
 
 Json orNull(const std::optional<double>& x)
 {
-    return x ? number(*x) : Json(nullptr);
+    return x ? Json(*x) : Json(nullptr);
 }
 
 Json endOf(End end)
@@ -47,9 +44,12 @@ Json nodeJson(const RayTree::Node& node)
 {
     Json hit = nullptr;
     if (node.hit)
-        hit = {{"t", number(node.hit->t)},           {"point", triple(node.hit->point)},
-               {"normal", triple(node.hit->normal)}, {"primitive", node.hit->primitive},
-               {"material", node.hit->material},     {"inside", node.hit->inside},
+        hit = {{"t", node.hit->t},
+               {"point", triple(node.hit->point)},
+               {"normal", triple(node.hit->normal)},
+               {"primitive", node.hit->primitive},
+               {"material", node.hit->material},
+               {"inside", node.hit->inside},
                {"color", triple(node.hit->color)}};
     return {{"id", node.id},
             {"parent", node.parent},
@@ -61,7 +61,7 @@ Json nodeJson(const RayTree::Node& node)
             {"n1", orNull(node.n1)},
             {"n2", orNull(node.n2)},
             {"fresnel", orNull(node.fresnel)},
-            {"weight", number(node.weight)},
+            {"weight", node.weight},
             {"throughput", triple(node.throughput)},
             {"radiance", triple(node.radiance)},
             {"own", triple(node.own)},
@@ -79,15 +79,9 @@ Json shadowJson(const RayTree::Shadow& shadow)
 {
     Json blocker = nullptr;
     if (shadow.blocker) blocker = {{"primitive", shadow.blocker->primitive}, {"point", triple(shadow.blocker->point)}};
-    return {{"node", shadow.node},
-            {"light", shadow.light},
-            {"direction", triple(shadow.direction)},
-            {"distance", number(shadow.distance)},
-            {"visible", shadow.visible},
-            {"tint", triple(shadow.tint)},
-            {"blocker", blocker},
-            {"line", shadow.line},
-            {"step", shadow.step}};
+    return {{"node", shadow.node},         {"light", shadow.light},     {"direction", triple(shadow.direction)},
+            {"distance", shadow.distance}, {"visible", shadow.visible}, {"tint", triple(shadow.tint)},
+            {"blocker", blocker},          {"line", shadow.line},       {"step", shadow.step}};
 }
 
 Json cappedJson(const RayTree::Capped& capped)
@@ -95,7 +89,7 @@ Json cappedJson(const RayTree::Capped& capped)
     return {{"node", capped.node},
             {"kind", name(capped.kind)},
             {"direction", triple(capped.direction)},
-            {"weight", number(capped.weight)},
+            {"weight", capped.weight},
             {"radiance", triple(capped.radiance)},
             {"reason", name(capped.reason)},
             {"line", capped.line},

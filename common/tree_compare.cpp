@@ -53,6 +53,16 @@ public:
         if (!first && expected != got) differ(field, text(expected), text(got));
     }
 
+    /// True if both met something. One that met nothing, which is then called `nothing`, differs from one that did.
+    template <class Met>
+    bool bothMet(const char* field, const std::optional<Met>& expected, const std::optional<Met>& got,
+                 const std::string& nothing)
+    {
+        const auto text = [&](const std::optional<Met>& met) { return met ? met->primitive : nothing; };
+        if (expected.has_value() != got.has_value()) differ(field, text(expected), text(got));
+        return expected && got;
+    }
+
     void differ(const char* field, const std::string& expected, const std::string& got)
     {
         if (first) return;
@@ -118,9 +128,7 @@ std::optional<TreeDifference> compareFollowed(const RayTree::Node& expected, con
     is.direction("direction", expected.direction, got.direction);
     is.number("weight", expected.weight, got.weight);
     is.vector("throughput", expected.throughput, got.throughput);
-    const auto met = [](const RayTree::Node& node) { return node.hit ? node.hit->primitive : std::string("nothing"); };
-    if (expected.hit.has_value() != got.hit.has_value()) is.differ("hit", met(expected), met(got));
-    if (expected.hit && got.hit)
+    if (is.bothMet("hit", expected.hit, got.hit, "nothing"))
     {
         const auto &e = *expected.hit, &g = *got.hit;
         is.same("hit.primitive", e.primitive, g.primitive);
@@ -179,11 +187,7 @@ std::optional<TreeDifference> compareShadows(const RayTree::Shadow& expected, co
     is.direction("direction", expected.direction, got.direction);
     is.number("distance", expected.distance, got.distance, size);
     is.same("visible", expected.visible, got.visible);
-    const auto in = [](const RayTree::Shadow& shadow) {
-        return shadow.blocker ? shadow.blocker->primitive : std::string("nothing in the way");
-    };
-    if (expected.blocker.has_value() != got.blocker.has_value()) is.differ("blocker", in(expected), in(got));
-    if (expected.blocker && got.blocker)
+    if (is.bothMet("blocker", expected.blocker, got.blocker, "nothing in the way"))
     {
         is.same("blocker.primitive", expected.blocker->primitive, got.blocker->primitive);
         is.vector("blocker.point", expected.blocker->point, got.blocker->point, size);

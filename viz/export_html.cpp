@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <functional>
 #include <map>
 #include <sstream>
@@ -12,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/cli.h"
+#include "common/image.h"
 #include "viz/base64.h"
 #include "viz/controller.h"
 #include "viz/html_data.h"
@@ -19,8 +19,6 @@
 
 namespace rt::viz
 {
-
-namespace fs = std::filesystem;
 
 namespace
 {
@@ -91,27 +89,6 @@ std::string scriptJson(const nlohmann::json& json)
     return result;
 }
 
-/// A folder of its own for one picture, gone when it is.
-class TemporaryFolder
-{
-public:
-    TemporaryFolder()
-    {
-        path = (fs::temp_directory_path() / "raytree-XXXXXX").string();
-        if (!mkdtemp(path.data()))
-            throw std::runtime_error(path + ": the folder for the page's picture cannot be made");
-    }
-    ~TemporaryFolder()
-    {
-        std::error_code ignored;
-        fs::remove_all(path, ignored);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    std::string path;
-};
-
 Image asImage(const ScreenPicture& picture)
 {
     Image image(picture.width, picture.height);
@@ -127,16 +104,13 @@ Image asImage(const ScreenPicture& picture)
 std::string pictureUrl(const Image& image)
 {
     if (image.width < 1 || image.height < 1) return "";
-    const TemporaryFolder folder;
-    const auto file = folder.path + "/picture.png";
     const ScreenPicture picture(image);
     std::string png;
     for (const int width : pictureWidths)
     {
         const double scale = std::min(1.0, double(width) / image.width);
         const auto side = int(std::ceil(scale * std::max(image.width, image.height)));
-        writeImage(asImage(picture.reduced(side)), file);
-        png = readTextFile(file);
+        png = pngBytes(asImage(picture.reduced(side)));
         if (png.size() <= pictureBytes) break;
     }
     return "data:image/png;base64," + base64(png);

@@ -5,7 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "viz/png.h"
+#include "common/image.h"
+#include "viz/picture_view.h"
 
 namespace rt::viz
 {
@@ -14,12 +15,6 @@ namespace
 {
 
 using Json = GltfDocument::Json;
-
-double linear(unsigned char srgb)
-{
-    const double s = srgb / 255.0;
-    return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
-}
 
 Json factor(const vec3& color, double alpha)
 {
@@ -41,7 +36,7 @@ int GltfMaterials::unlit(const std::string& title, const Rgba& color, bool fades
     const auto key = fmt::format("{}/{}/{}/{}/{}", title, color.r, color.g, color.b, fades);
     if (const auto found = known.find(key); found != known.end()) return found->second;
     gltf.uses("KHR_materials_unlit");
-    const vec3 rgb(linear(color.r), linear(color.g), linear(color.b));
+    const vec3 rgb(fromSrgb8(color.r), fromSrgb8(color.g), fromSrgb8(color.b));
     Json material = {{"name", title},
                      {"pbrMetallicRoughness",
                       {{"baseColorFactor", factor(rgb, 1)}, {"metallicFactor", 0}, {"roughnessFactor", 0.9}}},

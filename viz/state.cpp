@@ -1,7 +1,5 @@
 #include "viz/state.h"
 
-#include <cmath>
-
 #include <nlohmann/json.hpp>
 
 namespace rt::viz
@@ -12,10 +10,10 @@ namespace
 
 using Json = nlohmann::ordered_json;
 
+/// What is not finite is written as null.
 Json triple(const Vec3<double>& v)
 {
-    const auto number = [](double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); };
-    return {number(v.x), number(v.y), number(v.z)};
+    return {v.x, v.y, v.z};
 }
 
 Json eventJson(const Controller& controller)

@@ -8,6 +8,7 @@
 #include "common/scene_file.h"
 #include "lessons/registry.h"
 #include "tests/common/random_scene.h"
+#include "tests/common/scaled_scene.h"
 
 namespace rt
 {
@@ -45,32 +46,11 @@ TYPED_TEST(Core, APictureMovesNotABitWhenTheSceneIsScaledByAPowerOfTwo)
         for (unsigned seed = 0; seed < 6; ++seed)
         {
             const auto scene = randomScene(seed, models);
-            auto scaled = scene;
-            const double k = std::ldexp(1.0, power);
-            scaled.camera.eye *= k;
-            scaled.camera.target *= k;
-            for (auto& sphere : scaled.spheres)
-            {
-                sphere.center *= k;
-                sphere.radius *= k;
-            }
-            for (auto& plane : scaled.planes)
-            {
-                plane.point *= k;
-                plane.checkerSize *= k;
-            }
-            for (auto& triangle : scaled.triangles)
-                for (auto& vertex : triangle.vertices) vertex *= k;
-            for (auto& light : scaled.lights)
-            {
-                light.position *= k;
-                light.color *= k * k;
-            }
             constexpr Precision precision = std::is_same_v<Real, float>    ? Precision::floating
                                             : std::is_same_v<Real, double> ? Precision::doubled
                                                                            : Precision::longDouble;
             const Image a = lessons().back()->render(scene, precision, {}),
-                        b = lessons().back()->render(scaled, precision, {});
+                        b = lessons().back()->render(scaled(scene, std::ldexp(1.0, power)), precision, {});
             EXPECT_EQ(a.pixels, b.pixels) << "scaled by 2^" << power << ", seed " << seed;
             for (const auto& pixel : a.pixels) lit += pixel != Vec3<double>(0);
         }

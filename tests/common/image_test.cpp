@@ -59,6 +59,18 @@ TEST_F(ImageFile, PngIsSrgbAndClamped)
     EXPECT_EQ(read.at(4, 2).z, 1);
 }
 
+TEST_F(ImageFile, PngInMemoryIsThatOnDisk)
+{
+    const auto path = (folder / "a.png").string();
+    writeTextFile(path, pngBytes(gradient()));
+    const Image read = readImage(path);
+    writeImage(gradient(), path);
+    EXPECT_EQ(read.pixels, readImage(path).pixels);
+    EXPECT_TRUE(pngBytes(gradient()) == readTextFile(path)) << "the same bytes";
+    EXPECT_EQ(files(), 1U) << "nothing may be left beside it";
+    EXPECT_THROW(pngBytes(Image()), std::runtime_error) << "no pixels";
+}
+
 TEST(Srgb, HasTheValuesOfTheStandard)
 {
     EXPECT_EQ(toSrgb8(0), 0);

@@ -11,6 +11,7 @@
 #include "common/obj_file.h"
 #include "common/scene.h"
 #include "common/scene_file.h"
+#include "tests/common/mutated.h"
 
 namespace rt
 {
@@ -263,39 +264,13 @@ TEST_F(ObjFile, ThatCannotBeReadIsRefused)
 
 TEST_F(ObjFile, MeetsNoiseWithAMeshOrARuntimeError)
 {
-    constexpr const char* tokens[] = {"v ",   "f ", "/", "//", "-",   "\n",    "\r",
-                                      "\\\n", "#",  " ", "0",  "nan", "1e999", "99999999999"};
+    const std::vector<std::string> tokens{"v ",   "f ", "/", "//", "-",   "\n",    "\r",
+                                          "\\\n", "#",  " ", "0",  "nan", "1e999", "99999999999"};
     std::mt19937 random(20240118);
-    const auto below = [&](std::size_t n) { return std::size_t(random()) % n; };
     int meshes = 0, errors = 0;
     for (int i = 0; i < 5000; ++i)
     {
-        std::string text = cube;
-        for (std::size_t changes = 1 + below(3); changes > 0 && !text.empty(); --changes)
-        {
-            const std::size_t at = below(text.size()), length = below(std::min<std::size_t>(20, text.size() - at) + 1);
-            switch (below(6))
-            {
-            case 0:
-                text[at] = char(random());
-                break;
-            case 1:
-                text[at] = char(text[at] ^ (1 << below(8)));
-                break;
-            case 2:
-                text.erase(at, length);
-                break;
-            case 3:
-                text.insert(below(text.size()), text.substr(at, length));
-                break;
-            case 4:
-                text.insert(at, tokens[below(std::size(tokens))]);
-                break;
-            default:
-                text.resize(at);
-                break;
-            }
-        }
+        const auto text = mutated(cube, random, tokens, 3, 20);
         try
         {
             for (const auto& triangle : readObj(file("m.obj", text), warnings))

@@ -403,11 +403,10 @@ TEST(RayTreeText, ReadsLikeTheSlide)
               "    return (0, 0, 0)\n");
 }
 
-TEST(Explain, GivesEveryFormulaItsNumbers)
+/// A grey floor below a lamp, with more lines for its material.
+SceneDescription greyFloor(const std::string& more = "")
 {
-    const auto scene = parseScene(R"(
-[materials.floor]
-color = [0.5, 0.5, 0.5]
+    return parseScene(R"(
 [[plane]]
 point = [0, 0, 0]
 normal = [0, 1, 0]
@@ -415,8 +414,15 @@ material = "floor"
 [[light]]
 position = [0, 2, 0]
 color = [8, 8, 8]
-)",
-                                  "floor.toml");
+[materials.floor]
+color = [0.5, 0.5, 0.5]
+)" + more,
+                      "floor.toml");
+}
+
+TEST(Explain, GivesEveryFormulaItsNumbers)
+{
+    const auto scene = greyFloor();
     const auto tree = lessons()[0]->inspect(scene, Precision::doubled, GivenRay{{0, 1, 0}, {0, -1, 0}});
     const auto formulas = explainNode(tree, scene, lectureFormulas(), 0);
     ASSERT_EQ(formulas.size(), 4U);
@@ -430,19 +436,7 @@ color = [8, 8, 8]
 
 TEST(Explain, APartlySpecularSurfaceKeepsTheOtherShare)
 {
-    const auto scene = parseScene(R"(
-[materials.floor]
-color = [0.5, 0.5, 0.5]
-mirror = 0.25
-[[plane]]
-point = [0, 0, 0]
-normal = [0, 1, 0]
-material = "floor"
-[[light]]
-position = [0, 2, 0]
-color = [8, 8, 8]
-)",
-                                  "floor.toml");
+    const auto scene = greyFloor("mirror = 0.25");
     const auto tree = lessons()[2]->inspect(scene, Precision::doubled, GivenRay{{0, 1, 0}, {0, -1, 0}});
     const auto formulas = explainNode(tree, scene, lectureFormulas(), 0);
     const auto& color = formulas.at(formulas.size() - 2);

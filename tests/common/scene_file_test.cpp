@@ -18,6 +18,7 @@
 #include "common/nearest_word.h"
 #include "common/scene_file.h"
 #include "common/scene_reader.h"
+#include "tests/common/mutated.h"
 
 namespace
 {
@@ -1103,9 +1104,7 @@ TEST(SceneToToml, KeepsTheNamesOfFiles)
 
 // ---- noise ---------------------------------------------------------------------------------------------------------
 
-std::string mutated(std::string text, std::mt19937& random)
-{
-    constexpr const char* tokens[] = {"[",
+const std::vector<std::string> tokens{"[",
                                       "]",
                                       "[[",
                                       "]]",
@@ -1140,34 +1139,6 @@ std::string mutated(std::string text, std::mt19937& random)
                                       "[materials]",
                                       "ior = 1\n",
                                       "a.b.c"};
-    const auto below = [&](std::size_t n) { return std::size_t(random()) % n; };
-    for (std::size_t changes = 1 + below(2); changes > 0 && !text.empty(); --changes)
-    {
-        const std::size_t at = below(text.size()), length = below(std::min<std::size_t>(40, text.size() - at) + 1);
-        switch (below(6))
-        {
-        case 0:
-            text[at] = char(random());
-            break;
-        case 1:
-            text[at] = char(text[at] ^ (1 << below(8)));
-            break;
-        case 2:
-            text.erase(at, length);
-            break;
-        case 3:
-            text.insert(below(text.size()), text.substr(at, length));
-            break;
-        case 4:
-            text.insert(at, tokens[below(std::size(tokens))]);
-            break;
-        default:
-            text.resize(at);
-            break;
-        }
-    }
-    return text;
-}
 
 /// How many of the mutated texts are scenes; the others give a SceneError.
 int scenesAmongNoise(const std::string& text, const std::string& name, int count)
@@ -1176,7 +1147,7 @@ int scenesAmongNoise(const std::string& text, const std::string& name, int count
     int scenes = 0;
     for (int i = 0; i < count; ++i)
     {
-        const auto noise = mutated(text, random);
+        const auto noise = mutated(text, random, tokens, 2, 40);
         try
         {
             const auto scene = parseScene(noise, name);

@@ -5,15 +5,13 @@
 """
 import hashlib
 import json
-import math
 import pathlib
-import subprocess
 import sys
-import tempfile
 import unittest
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-BIN = pathlib.Path(sys.argv.pop(1)).resolve()
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from programs import ROOT, ProgramTest
+
 MIRRORS = "lessons/02_mirrors/scenes/pure_specular.toml"
 GLASS = """
 [materials.glass]
@@ -25,26 +23,7 @@ material = "glass"
 """
 
 
-class Programs(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
-        self.here = pathlib.Path(self.folder.name)
-
-    def run_program(self, *command, code=0):
-        done = subprocess.run([str(BIN / command[0]), *map(str, command[1:])], capture_output=True, cwd=self.here, timeout=120)
-        self.assertEqual(done.returncode, code, done.stderr.decode())
-        return done.stdout.decode(), done.stderr.decode()
-
-    def refused(self, *command):
-        """Standard error of a call that must fail with one sentence and leave no file."""
-        before = sorted(self.here.iterdir())
-        out, err = self.run_program(*command, code=2)
-        self.assertEqual(out, "")
-        self.assertEqual(err.count("\n"), 1, err)
-        self.assertEqual(sorted(self.here.iterdir()), before)
-        return err
-
+class Programs(ProgramTest):
     def write(self, name, text):
         (self.here / name).write_text(text)
         return name
@@ -193,21 +172,7 @@ class Programs(unittest.TestCase):
         self.assertIn("not attempted", self.run_program("exercise00")[0])
 
     def test_interruption_writes_nothing(self):
-        import signal, time
-        process = subprocess.Popen([str(BIN / "lesson02"), "--size", "2000x2000", "--spp", "1000", "--out", "p.png"], cwd=self.here, stderr=subprocess.PIPE)
-        # On a busy machine loading takes seconds: not before the program watches for the signal.
-        status = pathlib.Path(f"/proc/{process.pid}/status")
-        for _ in range(600):
-            caught = next(line.split()[1] for line in status.read_text().splitlines() if line.startswith("SigCgt"))
-            if int(caught, 16) >> (signal.SIGINT - 1) & 1:
-                break
-            time.sleep(0.1)
-        time.sleep(0.5)
-        process.send_signal(signal.SIGINT)
-        _, err = process.communicate(timeout=60)
-        self.assertEqual(process.returncode, 130)
-        self.assertIn(b"nothing was written", err)
-        self.assertEqual(list(self.here.iterdir()), [])
+        self.interrupted("lesson02", "--size", "2000x2000", "--spp", "1000", "--out", "p.png")
 
     def test_an_untouched_exercise_is_magenta_and_says_nothing_else(self):
         self.run_program("exercise01", "--size", "8x6", "--out", "p.ppm")

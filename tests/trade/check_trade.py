@@ -5,35 +5,17 @@
 """
 import csv
 import pathlib
-import signal
-import subprocess
 import sys
-import tempfile
-import time
 import unittest
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-BIN = pathlib.Path(sys.argv.pop(1)).resolve()
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from programs import ROOT, ProgramTest
+
 CLASSIC = ROOT / "lessons/10_speed_and_accuracy/scenes/classic.toml"
 
 
-class Trade(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
-        self.here = pathlib.Path(self.folder.name)
-
-    def run_program(self, *command, code=0):
-        done = subprocess.run([str(BIN / command[0]), *map(str, command[1:])], capture_output=True, cwd=self.here, timeout=300)
-        self.assertEqual(done.returncode, code, done.stderr.decode())
-        return done.stdout.decode(), done.stderr.decode()
-
-    def refused(self, *command):
-        """Standard error of a call that must fail with one sentence and leave no file."""
-        before = sorted(self.here.iterdir())
-        out, err = self.run_program(*command, code=2)
-        self.assertEqual((out, err.count("\n"), sorted(self.here.iterdir())), ("", 1, before), err)
-        return err
+class Trade(ProgramTest):
+    SECONDS = 300
 
     def test_a_small_study_writes_all_its_files(self):
         out, _ = self.run_program("trade", CLASSIC, "--quick", "--size", "32x24", "--out", "new/folder")
@@ -77,21 +59,8 @@ class Trade(unittest.TestCase):
         self.assertIn("--exhibit", self.refused("lesson10", "--out", "p.png"))
 
     def test_interruption_writes_nothing(self):
-        for command in (["--out", "d"], ["--budget", "100s", "--size", "1600x1200", "--against", "many"]):
-            process = subprocess.Popen([str(BIN / "trade"), *command], cwd=self.here, stderr=subprocess.PIPE, stdout=subprocess.PIPE)
-            # On a busy machine loading takes seconds: not before the program watches for the signal.
-            status = pathlib.Path(f"/proc/{process.pid}/status")
-            for _ in range(600):
-                caught = next(line.split()[1] for line in status.read_text().splitlines() if line.startswith("SigCgt"))
-                if int(caught, 16) >> (signal.SIGINT - 1) & 1:
-                    break
-                time.sleep(0.1)
-            time.sleep(0.5)
-            process.send_signal(signal.SIGINT)
-            out, err = process.communicate(timeout=60)
-            self.assertEqual((process.returncode, out), (130, b""), err)
-            self.assertIn(b"nothing was written", err)
-            self.assertEqual(list(self.here.iterdir()), [])
+        self.interrupted("trade", "--out", "d")
+        self.interrupted("trade", "--budget", "100s", "--size", "1600x1200", "--against", "many")
 
     def test_lesson_10_makes_a_pair(self):
         _, err = self.run_program("lesson10", "--exhibit", "lost_shells", "--size", "64x48", "--out", "p.ppm")

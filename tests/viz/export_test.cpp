@@ -15,13 +15,13 @@
 #include <vtkXMLPolyDataReader.h>
 
 #include "common/cli.h"
+#include "common/image.h"
 #include "common/scene.h"
 #include "common/scene_file.h"
 #include "lessons/registry.h"
 #include "viz/base64.h"
 #include "viz/export_gltf.h"
 #include "viz/export_vtp.h"
-#include "viz/png.h"
 #include "viz/rays.h"
 
 namespace rt::viz

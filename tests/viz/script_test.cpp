@@ -99,6 +99,14 @@ TEST(Script, DrivesTheControllerToTheStateThatItSays)
     EXPECT_EQ(state["help"], true);
 }
 
+TEST(State, HasTheRadianceOfThePixel)
+{
+    const Controller controller(session());
+    const auto state = nlohmann::json::parse(stateJson(controller));
+    const auto& radiance = controller.tree().nodes.at(0).radiance;
+    EXPECT_EQ(state["radiance"], (nlohmann::json{radiance.x, radiance.y, radiance.z}));
+}
+
 TEST(Script, StepsAndSelects)
 {
     const auto stepped = stateAfter("step first; step +3; step -1");
