@@ -61,6 +61,7 @@ struct Measured
     std::string program, real, instructions;
     int threads = 1;
     RayCounts rays = {};
+    RayCounts capped = {};                   ///< rays that were not followed, since they were too deep
     double buildCpu = 0;                     ///< seconds to make the scene, on all threads
     double bytes = 0;                        ///< memory that the scene keeps
     std::vector<double> cpu = {}, wall = {}; ///< seconds of each picture

@@ -16,11 +16,13 @@ using namespace rt::perf;
 /// Counts what the lesson's own trace tells.
 struct RayCounter : NoRecorder
 {
-    RayCounts* counts = nullptr;
+    Measured* into = nullptr;
     RayCounter() = default;
-    explicit RayCounter(RayCounts& into) : counts(&into) {}
-    void ray(const auto& ray, const auto&) const { counts->add(ray.kind); }
-    void shadow(const auto&, const auto&, const auto&, auto, bool) const { ++counts->shadow; }
+    explicit RayCounter(Measured& measured) : into(&measured) {}
+    void ray(const auto& ray, const auto&) const { into->rays.add(ray.kind); }
+    void shadow(const auto&, const auto&, const auto&, auto, bool) const { ++into->rays.shadow; }
+    void capped(const auto& ray) const { into->capped.add(ray.kind); }
+    void capped(const auto& ray, const auto&) const { into->capped.add(ray.kind); }
 };
 
 struct Options : SceneOptions
@@ -31,17 +33,15 @@ struct Options : SceneOptions
 };
 
 template <class Real>
-RayCounts countRays(const Scene<Real>& scene, int width, int height)
+void countRays(const Scene<Real>& scene, int width, int height, Measured& into)
 {
-    RayCounts counts;
-    lesson08::Tracer<Real, RayCounter> tracer{scene, RayCounter(counts)};
+    lesson08::Tracer<Real, RayCounter> tracer{scene, RayCounter(into)};
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x)
         {
-            if (interrupted()) return counts;
+            if (interrupted()) return;
             renderPixel(scene, tracer, x, y, 1);
         }
-    return counts;
 }
 
 template <class Real>
@@ -66,7 +66,7 @@ Measured measure(const SceneDescription& description, const Options& options)
         measured.cpu.push_back(cpuSeconds() - cpu);
         measured.wall.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - wall).count());
     }
-    if (options.count) measured.rays = countRays(scene, camera.width, camera.height);
+    if (options.count) countRays(scene, camera.width, camera.height, measured);
     if (!options.out.empty() && !interrupted()) writeImage(image, options.out);
     return measured;
 }
