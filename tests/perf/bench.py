@@ -104,10 +104,10 @@ def measure(runner, options):
 
 
 def main():
-    options = arguments()
-    check_folder(options.out)
     for sign in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(sign, interrupt)
+    options = arguments()
+    check_folder(options.out)
     with tempfile.TemporaryDirectory(prefix="raytree-bench-") as folder:
         runner = Runner(options.programs, folder)
         try:
@@ -116,26 +116,30 @@ def main():
             if not runner.has("bench_picture"):
                 raise Failed(f"{options.programs} has no program bench_picture; build bench_programs first")
             rows, files = measure(runner, options)
-        except KeyboardInterrupt:
+        finally:
             runner.stop()
-            print("\ninterrupted: nothing was written", file=sys.stderr)
-            return 130
-        except Failed as error:
-            print(f"bench: {error}", file=sys.stderr)
-            return 2
-        out = pathlib.Path(options.out)
-        out.mkdir(parents=True, exist_ok=True)
+        about = machine(runner)
+    # From here on files are written, each whole; that takes no time worth an interruption.
+    for sign in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        signal.signal(sign, signal.SIG_IGN)
+    out = pathlib.Path(options.out)
+    out.mkdir(parents=True, exist_ok=True)
+    for name, text in files.items():
+        write(out / name, text)
+        print(out / name)
+    if options.notes:
         for name, text in files.items():
-            write(out / name, text)
-            print(out / name)
-        if options.notes:
-            for name, text in files.items():
-                if name.endswith(".svg"):
-                    write(PICTURES / f"benchmark_{name}", text)
-            tables = bench_page.page(rows, options, machine(runner), "pictures/benchmark_")
-            write(PAGE, replace_section(PAGE.read_text(), "tables", tables))
-    return 0
+            if name.endswith(".svg"):
+                write(PICTURES / f"benchmark_{name}", text)
+        tables = bench_page.page(rows, options, about, "pictures/benchmark_")
+        write(PAGE, replace_section(PAGE.read_text(), "tables", tables))
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    try:
+        main()
+    except KeyboardInterrupt:
+        print("\ninterrupted: nothing was written", file=sys.stderr)
+        sys.exit(130)
+    except (Failed, OSError) as error:
+        fail(f"bench: {error}")

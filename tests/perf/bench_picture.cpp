@@ -57,7 +57,8 @@ Measured measure(const SceneDescription& description, const Options& options)
     measured.instructions = scene.instructions == Instructions::baseline ? "baseline" : "avx2";
     const auto& camera = description.camera;
     const RenderOptions how{.spp = 1, .threads = options.threads, .progress = {}, .stop = &interrupted()};
-    Image image = render<lesson08::Tracer<Real>>(scene, 8, 8, how); // the first one starts threads, which takes milliseconds
+    Image image =
+        render<lesson08::Tracer<Real>>(scene, 8, 8, how); // the first one starts threads, which takes milliseconds
     for (int i = 0; i < options.repeat && !interrupted(); ++i)
     {
         const double cpu = cpuSeconds();
