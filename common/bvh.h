@@ -40,7 +40,7 @@ public:
         const Vec3<Number> size = Number(0.5) * all.high - Number(0.5) * all.low;
         const Number half = std::max({size.x, size.y, size.z});
         middle = all.middle();
-        if (!isFinite(middle) || !(half > std::numeric_limits<Number>::min() * 4) || !(half < infinity<Number> / 8)) return;
+        if (!isFinite(middle) || !(half > std::numeric_limits<Number>::min() * 4) || !(half < infinity<Number>)) return;
         scale = std::ldexp(Number(1), -std::ilogb(half) - 1);
 
         const Vec3<Number> distance = abs(middle);
@@ -63,8 +63,8 @@ public:
     /// The shapes' numbers are in the leaves, for callers that keep their own copy in that order.
     void forgetLeaves() { leaves = {}; }
 
-    /// Calls visit(leaf) for each leaf that the ray may meet in (0, limit], nearest boxes first, until visit returns true.
-    /// visit may lower `limit`. isUnit(D).
+    /// Calls visit(leaf) for each leaf that the ray may meet in (0, limit], near ones rather early, until visit returns
+    /// true. visit may lower `limit`. isUnit(D).
     template <Instructions set, class Real, class Visit>
     bool visitLeaves(const Vec3<Number>& O, const Vec3<Number>& D, const Real& limit, Visit&& visit) const
     {
@@ -78,7 +78,7 @@ public:
         if (std::min({std::abs(d.x), std::abs(d.y), std::abs(d.z)}) < least) [[unlikely]]
             d = awayFromZero(d);
         const Slabs<set> ray{{float(o.x), d.x, pad}, {float(o.y), d.y, pad}, {float(o.z), d.z, pad}};
-        const auto along = [&] { return float((limit - start) * scale) * (1 + 0x1p-20F) + 0x1p-20F; };
+        const auto along = [&] { return float((limit - start) * scale) * (1 + roundingUp) + roundingUp; };
         float end = along();
         std::uint64_t stack[bvhStackSize], entry = 0;
         for (int top = 0;;)
@@ -100,20 +100,18 @@ public:
                         met &= met - 1;
                         return entryOf(enters[k], node.child[k]);
                     };
+                    // The nearest first; to sort the others, too, takes longer than it saves.
                     entry = next();
-                    for (const int bottom = top; met;)
+                    while (met)
                     {
                         std::uint64_t other = next();
                         if (other < entry) std::swap(other, entry);
-                        int place = top++;
-                        for (; place > bottom && stack[place - 1] < other; --place) stack[place] = stack[place - 1];
-                        stack[place] = other;
+                        stack[top++] = other;
                     }
                     continue;
                 }
             }
-            do
-            {
+            do {
                 if (top == 0) return false;
                 entry = stack[--top];
             } while (!(std::bit_cast<float>(std::uint32_t(entry >> 32)) <= end));
@@ -127,8 +125,10 @@ private:
         return std::uint64_t(std::bit_cast<std::uint32_t>(t)) << 32 | std::uint32_t(child);
     }
 
-    static constexpr float boxesShare = 0x1p-22F; ///< error of where a ray meets a box, as a share of |O|: 2.8 times too much
-    static constexpr int nearby = 8;              ///< origins so near are covered by the padding of the boxes
+    /// Error of where a ray meets a box, as a share of |O|: 2.8 times too much.
+    static constexpr float boxesShare = 2 * std::numeric_limits<float>::epsilon();
+    static constexpr float roundingUp = 8 * std::numeric_limits<float>::epsilon();
+    static constexpr int nearby = 8; ///< origins so near are covered by the padding of the boxes
 
     /// The ray among the boxes: where it passes the planes of one, t = (O - plane) * -1/D.
     template <Instructions set>
@@ -178,12 +178,12 @@ private:
                 std::memcpy(enters + k, &first, sizeof first);
                 met |= bitsOf(first <= last) << k;
             }
-            return met;
+            return met & node.children;
         }
     };
 
     // 1 / 0 would make 0 * infinity of a plane through O. This is as steep, and finite.
-    static constexpr float least = 0x1p-60F;
+    static constexpr float least = std::numeric_limits<float>::min();
     static Vec3<float> awayFromZero(Vec3<float> d)
     {
         for (int axis = 0; axis < 3; ++axis)

@@ -45,8 +45,9 @@ using BvhLeaf = std::array<std::int32_t, bvhLeafSize>;
 
 struct alignas(64) BvhNode
 {
-    float planes[2 * 3 * bvhWidth]; ///< the lower ones of the x, y and z axis, then the upper ones; no ray meets a missing child
+    float planes[2 * 3 * bvhWidth]; ///< the lower ones of the x, y and z axis, then the upper ones
     std::int32_t child[bvhWidth];   ///< a node, or ~leaf
+    std::uint32_t children;         ///< bit k: child k is there. A ray from infinity meets what has no box, too.
 };
 
 inline constexpr int bvhDeepest = 40;                          ///< binary splits by area; those below are in the middle
@@ -108,7 +109,7 @@ struct BvhBuilder
             ++count;
         }
         const std::size_t index = nodes.size();
-        nodes.emplace_back();
+        nodes.emplace_back().children = (1U << count) - 1;
         for (int k = 0; k < bvhWidth; ++k)
         {
             for (int axis = 0; axis < 3; ++axis)
@@ -116,9 +117,9 @@ struct BvhBuilder
                 nodes[index].planes[axis * bvhWidth + k] = k < count ? parts[k].box.low[axis] : infinity<float>;
                 nodes[index].planes[(3 + axis) * bvhWidth + k] = k < count ? parts[k].box.high[axis] : -infinity<float>;
             }
-            const std::int32_t child = k >= count                   ? 0
+            const std::int32_t child = k >= count                      ? 0
                                        : parts[k].size() > bvhLeafSize ? addNode(parts[k])
-                                                                    : addLeaf(parts[k]);
+                                                                       : addLeaf(parts[k]);
             nodes[index].child[k] = child; // only now: addNode moves the nodes
         }
         return std::int32_t(index);
@@ -167,7 +168,9 @@ struct BvhBuilder
             }
 
         // Four shapes are tested at a time: a part costs its area times the leaves that it needs at least.
-        const auto cost = [](const Bin& b) { return b.box.halfArea() * float((b.count + bvhLeafSize - 1) / bvhLeafSize); };
+        const auto cost = [](const Bin& b) {
+            return b.box.halfArea() * float((b.count + bvhLeafSize - 1) / bvhLeafSize);
+        };
         float best = infinity<float>;
         int bestAxis = -1, bestBin = 0;
         for (int axis = 0; axis < 3 && whole.depth < bvhDeepest; ++axis)

@@ -81,19 +81,19 @@ unsigned bitsOf(const Mask& mask)
 
 #if RAYTREE_X86
 // The one thing that vectors cannot say: a single instruction for the above.
-inline unsigned bitsOf(const decltype(Lanes<float, Instructions::baseline>{} < 0)& mask)
+inline unsigned bitsOf(const decltype(Lanes<float, Instructions::baseline>{} < 0) & mask)
 {
     return unsigned(__builtin_ia32_movmskps((Lanes<float, Instructions::baseline>)mask));
 }
-inline unsigned bitsOf(const decltype(Lanes<double, Instructions::baseline>{} < 0)& mask)
+inline unsigned bitsOf(const decltype(Lanes<double, Instructions::baseline>{} < 0) & mask)
 {
     return unsigned(__builtin_ia32_movmskpd((Lanes<double, Instructions::baseline>)mask));
 }
-[[gnu::target("avx2")]] inline unsigned bitsOf(const decltype(Lanes<float, Instructions::avx2>{} < 0)& mask)
+[[gnu::target("avx2")]] inline unsigned bitsOf(const decltype(Lanes<float, Instructions::avx2>{} < 0) & mask)
 {
     return unsigned(__builtin_ia32_movmskps256((Lanes<float, Instructions::avx2>)mask));
 }
-[[gnu::target("avx2")]] inline unsigned bitsOf(const decltype(Lanes<double, Instructions::avx2>{} < 0)& mask)
+[[gnu::target("avx2")]] inline unsigned bitsOf(const decltype(Lanes<double, Instructions::avx2>{} < 0) & mask)
 {
     return unsigned(__builtin_ia32_movmskpd256((Lanes<double, Instructions::avx2>)mask));
 }

@@ -92,10 +92,22 @@ private:
 #endif
 
     template <Instructions set, class Found, class Formulas>
-    void visitHits(const Ray<Real>& ray, const Formulas& shapes, const Real& limit, Found&& found) const;
+    void visitHits(const Vec3<Real>& O, const Vec3<Real>& D, PrimitiveId from, const Formulas& shapes,
+                   const Real& limit, Found&& found) const;
 
-    template <class Found, class Formulas>
-    bool visitPlanes(const Ray<Real>& ray, const Formulas& shapes, Found& found) const;
+    template <Instructions set, class Found>
+    void visitTriangles(const Vec3<Real>& O, const Vec3<Real>& D, PrimitiveId from, const Real& limit,
+                        Found& found) const;
+
+#if RAYTREE_X86
+    // By itself, since most scenes have none, and scans of spheres are faster beside less.
+    template <class Found>
+    RAYTREE_AVX2 [[gnu::noinline]] void visitTrianglesAvx2(const Vec3<Real>& O, const Vec3<Real>& D, PrimitiveId from,
+                                                           const Real& limit, Found& found) const
+    {
+        visitTriangles<Instructions::avx2>(O, D, from, limit, found);
+    }
+#endif
 
     /// Does a ray that leaves one triangle start in the plane of this other one, up to the rounding of its origin? Then it
     /// leaves both: they are parts of one surface, or meet at an edge.
@@ -207,45 +219,49 @@ Scene<Real>::Scene(const SceneDescription& description)
 /// `limit`; some that are farther may be called for all the same.
 template <std::floating_point Real>
 template <Instructions set, class Found, class Formulas>
-void Scene<Real>::visitHits(const Ray<Real>& ray, const Formulas& shapes, const Real& limit, Found&& found) const
+void Scene<Real>::visitHits(const Vec3<Real>& O, const Vec3<Real>& D, PrimitiveId from, const Formulas& shapes,
+                            const Real& limit, Found&& found) const
 {
-    if (ray.from >= 0 && ray.from < firstPlane)
-        if (const auto t = Shapes<Real>::leaveSphere(ray, spheres[std::size_t(ray.from)]))
-            if (found(ray.from, *t)) return;
-    if constexpr (std::is_same_v<Formulas, Shapes<Real>>)
-    {
-        if (visitPlanes(ray, shapes, found) || sphereSearch.template visit<set>(ray, limit, found)) return;
-    }
-    else // Other formulas have their own roundings, which no box is padded for.
-    {
-        for (PrimitiveId id = 0; id < firstPlane; ++id)
-            if (id != ray.from)
-                if (const auto t = shapes.intersectSphere(ray, spheres[std::size_t(id)]))
-                    if (found(id, *t)) return;
-        if (visitPlanes(ray, shapes, found)) return;
-    }
-    if (triangles.empty()) return;
-    const bool leavesTriangle = ray.from >= firstTriangle;
-    triangleSearch.template visit<set>(triangles, ray, limit, [&](PrimitiveId index, Real t) {
-        if (firstTriangle + index == ray.from) return false;
-        if (leavesTriangle && startsOn(ray, triangles[std::size_t(index)])) return false;
-        return bool(found(firstTriangle + index, t));
-    });
-}
-
-template <std::floating_point Real>
-template <class Found, class Formulas>
-bool Scene<Real>::visitPlanes(const Ray<Real>& ray, const Formulas& shapes, Found& found) const
-{
+    const Ray<Real> ray{.O = O, .D = D, .from = from};
+    if (from >= 0 && from < firstPlane)
+        if (const auto t = Shapes<Real>::leaveSphere(ray, spheres[std::size_t(from)]))
+            if (found(from, *t)) return;
     PrimitiveId id = firstPlane;
     for (const auto& plane : planes)
     {
-        if (id != ray.from)
+        if (id != from)
             if (const auto t = shapes.intersectPlane(ray, plane))
-                if (found(id, *t)) return true;
+                if (found(id, *t)) return;
         ++id;
     }
-    return false;
+    if constexpr (std::is_same_v<Formulas, Shapes<Real>>)
+    {
+        if (sphereSearch.template visit<set>(O, D, from, limit, found)) return;
+    }
+    else // Other formulas have their own roundings, which no box is padded for.
+        for (id = 0; id < firstPlane; ++id)
+            if (id != from)
+                if (const auto t = shapes.intersectSphere(ray, spheres[std::size_t(id)]))
+                    if (found(id, *t)) return;
+    if (triangles.empty()) return;
+#if RAYTREE_X86
+    if constexpr (set == Instructions::avx2) return visitTrianglesAvx2(O, D, from, limit, found);
+#endif
+    visitTriangles<set>(O, D, from, limit, found);
+}
+
+template <std::floating_point Real>
+template <Instructions set, class Found>
+void Scene<Real>::visitTriangles(const Vec3<Real>& O, const Vec3<Real>& D, PrimitiveId from, const Real& limit,
+                                 Found& found) const
+{
+    const Ray<Real> ray{.O = O, .D = D, .from = from};
+    const bool leavesTriangle = from >= firstTriangle;
+    triangleSearch.template visit<set>(triangles, ray, limit, [&](PrimitiveId index, Real t) {
+        if (firstTriangle + index == from) return false;
+        if (leavesTriangle && startsOn(ray, triangles[std::size_t(index)])) return false;
+        return bool(found(firstTriangle + index, t));
+    });
 }
 
 template <std::floating_point Real>
@@ -254,7 +270,7 @@ std::optional<Hit<Real>> Scene<Real>::intersectWith(const Ray<Real>& ray, const 
 {
     Real nearest = infinity<Real>;
     PrimitiveId id = noPrimitive;
-    visitHits<set>(ray, shapes, nearest, [&](PrimitiveId candidate, Real t) {
+    visitHits<set>(ray.O, ray.D, ray.from, shapes, nearest, [&](PrimitiveId candidate, Real t) {
         if (t < nearest || (t == nearest && candidate < id))
         {
             nearest = t;
@@ -273,7 +289,7 @@ bool Scene<Real>::occludedWith(const Point<Real>& I, const Vec3<Real>& L, Real d
     if (distance * distance > 0 && distance * distance < nearestLamp) return true;
     const bool throughGlass = settings.shadowThroughGlass == ShadowThroughGlass::tint;
     bool blocked = false;
-    visitHits<set>(Ray<Real>{.O = I, .D = L, .from = I.on}, shapes, distance, [&](PrimitiveId id, Real t) {
+    visitHits<set>(I, L, I.on, shapes, distance, [&](PrimitiveId id, Real t) {
         return blocked = t < distance && !(throughGlass && materialOf(id).isDielectric());
     });
     return blocked;

@@ -13,7 +13,7 @@ class SphereSearch
 {
 public:
     /// More spheres than this are searched through a hierarchy: tests/perf/README.md has the measurement.
-    static constexpr std::size_t mostScanned = 12;
+    static constexpr std::size_t mostScanned = 16;
 
     explicit SphereSearch(const std::vector<Sphere<Real>>& spheres, std::size_t most = mostScanned)
     {
@@ -48,26 +48,28 @@ public:
             }
     }
 
-    /// Calls found(id, t) for each sphere but ray.from that the ray meets at t <= limit, until it returns true. It may lower
+    /// Calls found(id, t) for each sphere but `from` that the ray meets at t <= limit, until it returns true. It may lower
     /// `limit`; spheres that are farther may be called for all the same.
     template <Instructions set, class Found>
-    bool visit(const Ray<Real>& ray, const Real& limit, Found&& found) const
+    bool visit(const Vec3<Real>& O, const Vec3<Real>& D, PrimitiveId from, const Real& limit, Found&& found) const
     {
-        const Vec3<Number> O(ray.O), D(ray.D);
         // The boxes are padded for unit vectors, which all lessons trace; others meet every sphere.
-        if (tree.empty() || !isUnit(ray.D))
+        if (tree.empty() || !isUnit(D))
         {
             for (const auto& block : blocks)
-                if (visitBlock<set>(block, O, D, ray.from, limit, found)) return true;
+                if (visitBlock<set>(block, Vec3<Number>(O), Vec3<Number>(D), from, limit, found)) return true;
             return false;
         }
 #if RAYTREE_X86
-        if constexpr (set == Instructions::avx2) return visitTreeAvx2(O, D, ray.from, limit, found);
+        if constexpr (set == Instructions::avx2) return visitTreeAvx2(O, D, from, limit, found);
 #endif
-        return visitTree<set>(O, D, ray.from, limit, found);
+        return visitTree<set>(O, D, from, limit, found);
     }
 
-    std::size_t bytes() const { return blocks.capacity() * sizeof(Block) + tree.bytes(); }
+    std::size_t bytes() const
+    {
+        return blocks.capacity() * sizeof(Block) + tree.bytes();
+    }
 
 private:
     using Number = Wide<Real>; ///< what the formula computes in
@@ -91,18 +93,18 @@ private:
     }
 
     template <Instructions set, class Found>
-    bool visitTree(const Vec3<Number>& O, const Vec3<Number>& D, PrimitiveId from, const Real& limit,
+    bool visitTree(const Vec3<Real>& rayO, const Vec3<Real>& rayD, PrimitiveId from, const Real& limit,
                    Found& found) const
     {
-        return tree.template visitLeaves<set>(O, D, limit, [&](std::size_t leaf) {
-            return visitBlock<set>(blocks[leaf], O, D, from, limit, found);
-        });
+        const Vec3<Number> O(rayO), D(rayD);
+        return tree.template visitLeaves<set>(
+            O, D, limit, [&](std::size_t leaf) { return visitBlock<set>(blocks[leaf], O, D, from, limit, found); });
     }
 
 #if RAYTREE_X86
-    // By itself, or it would need so many registers that scans get slower.
+    // By itself, or it would take so many registers that scans get slower.
     template <class Found>
-    RAYTREE_AVX2 [[gnu::noinline]] bool visitTreeAvx2(const Vec3<Number>& O, const Vec3<Number>& D, PrimitiveId from,
+    RAYTREE_AVX2 [[gnu::noinline]] bool visitTreeAvx2(const Vec3<Real>& O, const Vec3<Real>& D, PrimitiveId from,
                                                       const Real& limit, Found& found) const
     {
         return visitTree<Instructions::avx2>(O, D, from, limit, found);
@@ -138,11 +140,11 @@ private:
         for (; met; met &= met - 1)
         {
             const int k = std::countr_zero(met);
+            if (block.id[k] == from) continue;
             const Number b = bs[k], squaredRadius = block.squaredRadius[k];
             const Vec3<Number> oc(O.x - block.C[0][k], O.y - block.C[1][k], O.z - block.C[2][k]);
             const Number c = dot(oc, oc) - squaredRadius;
             if (b > 0 && c > 0) continue; // outside and going away: both roots are negative
-            if (block.id[k] == from) continue;
             const Number q = -(b + std::copysign(std::sqrt(discriminants[k]), b));
             const Number other = c / q;
             const Real t1 = Real(std::min(q, other)), t2 = Real(std::max(q, other));
