@@ -1,0 +1,79 @@
+// What the measuring programs share: which scene, how large, and the line of JSON they end with.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bench_scenes.h"
+#include "common/cli.h"
+
+namespace rt::perf
+{
+
+struct SceneOptions
+{
+    std::string scene, size;
+    int depth = -1, lights = 0;
+};
+
+inline void addSceneOptions(CLI::App& app, SceneOptions& options)
+{
+    app.add_option("scene", options.scene, "s1 .. s6, s5:N, s6:LEVELS or a file")->required()->type_name("SCENE");
+    app.add_option("--size", options.size, "size of the picture in pixels; default: the scene's")->type_name("WxH");
+    app.add_option("--depth", options.depth, "MAXDEPTH; default: the scene's")
+        ->check(CLI::Range(0, 1024))
+        ->type_name("N");
+    app.add_option("--lights", options.lights, "this many lights; default: the scene's")
+        ->check(CLI::Range(1, 4096))
+        ->type_name("N");
+}
+
+inline SceneDescription loadScene(const SceneOptions& options)
+{
+    SceneDescription scene = benchScene(options.scene);
+    if (!options.size.empty())
+    {
+        int width = 0, height = 0, read = 0;
+        if (std::sscanf(options.size.c_str(), "%dx%d%n", &width, &height, &read) != 2 ||
+            std::size_t(read) != options.size.size() || width < 1 || height < 1 || width > 16384 || height > 16384)
+            throw CLI::ValidationError("--size", "expected WxH, each from 1 to 16384, as in 640x480; got \"" +
+                                                     options.size + '"');
+        setSize(scene, width, height);
+    }
+    if (options.depth >= 0) scene.trace.maxDepth = options.depth;
+    if (options.lights > 0) setLights(scene, options.lights);
+    return scene;
+}
+
+struct RayCounts
+{
+    long camera = 0, shadow = 0, reflected = 0, transmitted = 0;
+
+    void add(RayKind kind)
+    {
+        ++(kind == RayKind::camera ? camera : kind == RayKind::reflected ? reflected : transmitted);
+    }
+    long all() const { return camera + shadow + reflected + transmitted; }
+};
+
+struct Measured
+{
+    std::string program, real, instructions;
+    int threads = 1;
+    RayCounts rays = {};
+    RayCounts capped = {};                   ///< rays that were not followed, since they were too deep
+    double buildCpu = 0;                     ///< seconds to make the scene, on all threads
+    double bytes = 0;                        ///< memory that the scene keeps
+    std::vector<double> cpu = {}, wall = {}; ///< seconds of each picture
+};
+
+/// Seconds of CPU time of this process, all its threads.
+double cpuSeconds();
+
+/// Bytes that are allocated now.
+double allocatedBytes();
+
+/// One line of JSON.
+std::string json(const SceneDescription& scene, const Measured& measured);
+
+} // namespace rt::perf
