@@ -50,25 +50,28 @@ public:
         for (std::size_t i = 0; i < boxes.size(); ++i)
             placed[i] = {Vec3<float>((boxes[i].low - middle) * scale - pad),
                          Vec3<float>((boxes[i].high - middle) * scale + pad)};
-        BvhBuilder{placed, nodes, leaves}.build();
+        tree = BvhBuilder{placed}.build();
     }
 
-    bool empty() const { return nodes.empty(); }
+    bool empty() const { return tree.nodes.empty(); }
 
     /// Leaf number -> indices into `boxes`; -1 fills up.
-    const std::vector<BvhLeaf>& leafShapes() const { return leaves; }
+    const std::vector<BvhLeaf>& leafShapes() const { return tree.leaves; }
 
-    std::size_t bytes() const { return nodes.capacity() * sizeof(BvhNode) + leaves.capacity() * sizeof(BvhLeaf); }
+    std::size_t bytes() const
+    {
+        return tree.nodes.capacity() * sizeof(BvhNode) + tree.leaves.capacity() * sizeof(BvhLeaf);
+    }
 
     /// The shapes' numbers are in the leaves, for callers that keep their own copy in that order.
-    void forgetLeaves() { leaves = {}; }
+    void forgetLeaves() { tree.leaves = {}; }
 
     /// Calls visit(leaf) for each leaf that the ray may meet in (0, limit], near ones rather early, until visit returns
     /// true. visit may lower `limit`. isUnit(D).
     template <Instructions set, class Real, class Visit>
     bool visitLeaves(const Vec3<Number>& O, const Vec3<Number>& D, const Real& limit, Visit&& visit) const
     {
-        if (nodes.empty()) return false;
+        if (tree.nodes.empty()) return false;
         Vec3<Number> o = (O - middle) * scale;
         Number start = 0; // where t is 0 among the boxes
         float pad = 0;
@@ -91,7 +94,7 @@ public:
             }
             else
             {
-                const BvhNode& node = nodes[std::size_t(child)];
+                const BvhNode& node = tree.nodes[std::size_t(child)];
                 float enters[bvhWidth];
                 if (unsigned met = ray.meet(node, end, enters))
                 {
@@ -200,8 +203,7 @@ private:
         return float(boxesShare * 4 * (std::abs(o.x) + std::abs(o.y) + std::abs(o.z)) + 4 * formulasShare * far);
     }
 
-    std::vector<BvhNode> nodes;
-    std::vector<BvhLeaf> leaves;
+    BvhTree tree;
     Vec3<Number> middle{0, 0, 0};
     Number scale = 1, formulasShare = 0;
 };

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "common/parallel.h"
 #include "common/vec.h"
 
 namespace rt
@@ -53,11 +54,31 @@ struct alignas(64) BvhNode
 inline constexpr int bvhDeepest = 40;                          ///< binary splits by area; those below are in the middle
 inline constexpr int bvhStackSize = 7 * (bvhDeepest + 32) + 8; ///< a node leaves seven siblings behind
 
+/// The root is node 0.
+struct BvhTree
+{
+    std::vector<BvhNode> nodes;
+    std::vector<BvhLeaf> leaves;
+
+    /// Returns the root of `other`, which is now a part of this one.
+    std::int32_t append(const BvhTree& other)
+    {
+        const auto node = std::int32_t(nodes.size()), leaf = std::int32_t(leaves.size());
+        for (const BvhNode& from : other.nodes)
+        {
+            BvhNode& to = nodes.emplace_back(from);
+            for (int k = 0; k < bvhWidth; ++k)
+                if (to.children >> k & 1) to.child[k] += to.child[k] < 0 ? -leaf : node;
+        }
+        leaves.insert(leaves.end(), other.leaves.begin(), other.leaves.end());
+        return node;
+    }
+};
+
 struct BvhBuilder
 {
     const std::vector<Box<float>>& boxes;
-    std::vector<BvhNode>& nodes;
-    std::vector<BvhLeaf>& leaves;
+    std::size_t apartFrom = 16384; ///< a node over more builds its children at the same time
 
     struct Item
     {
@@ -75,8 +96,9 @@ struct BvhBuilder
     };
     std::vector<Item> items{};
 
-    void build()
+    BvhTree build()
     {
+        BvhTree tree;
         items.reserve(boxes.size());
         Part all{0, boxes.size(), {}, 0};
         for (const auto& box : boxes)
@@ -84,14 +106,16 @@ struct BvhBuilder
             items.push_back({box, std::int32_t(items.size())});
             all.box.add(box);
         }
-        nodes.reserve(boxes.size() / 12);
-        leaves.reserve(boxes.size() * 2 / 5);
-        if (!items.empty()) addNode(all);
-        nodes.shrink_to_fit();
-        leaves.shrink_to_fit();
+        tree.nodes.reserve(boxes.size() / 12);
+        tree.leaves.reserve(boxes.size() * 2 / 5);
+        if (!items.empty()) addNode(all, tree);
+        tree.nodes.shrink_to_fit();
+        tree.leaves.shrink_to_fit();
+        return tree;
     }
 
-    std::int32_t addNode(const Part& whole)
+    /// The tree is the same, and in the same order, whatever is built at the same time: parts share no items.
+    std::int32_t addNode(const Part& whole, BvhTree& tree)
     {
         Part parts[bvhWidth] = {whole};
         int count = 1;
@@ -108,30 +132,40 @@ struct BvhBuilder
             parts[largest] = part(parts[largest].first, middle, parts[largest].depth + 1);
             ++count;
         }
-        const std::size_t index = nodes.size();
-        nodes.emplace_back().children = (1U << count) - 1;
+        BvhTree apart[bvhWidth];
+        const bool atOnce = whole.size() > apartFrom;
+        const auto isNode = [&](int k) { return parts[k].size() > bvhLeafSize; };
+        if (atOnce)
+            forEach(count, [&](int k) {
+                if (isNode(k)) addNode(parts[k], apart[k]);
+            });
+
+        const std::size_t index = tree.nodes.size();
+        tree.nodes.emplace_back().children = (1U << count) - 1;
         for (int k = 0; k < bvhWidth; ++k)
         {
             for (int axis = 0; axis < 3; ++axis)
             {
-                nodes[index].planes[axis * bvhWidth + k] = k < count ? parts[k].box.low[axis] : infinity<float>;
-                nodes[index].planes[(3 + axis) * bvhWidth + k] = k < count ? parts[k].box.high[axis] : -infinity<float>;
+                auto& planes = tree.nodes[index].planes;
+                planes[axis * bvhWidth + k] = k < count ? parts[k].box.low[axis] : infinity<float>;
+                planes[(3 + axis) * bvhWidth + k] = k < count ? parts[k].box.high[axis] : -infinity<float>;
             }
-            const std::int32_t child = k >= count                      ? 0
-                                       : parts[k].size() > bvhLeafSize ? addNode(parts[k])
-                                                                       : addLeaf(parts[k]);
-            nodes[index].child[k] = child; // only now: addNode moves the nodes
+            const std::int32_t child = k >= count   ? 0
+                                       : !isNode(k) ? addLeaf(parts[k], tree)
+                                       : atOnce     ? tree.append(apart[k])
+                                                    : addNode(parts[k], tree);
+            tree.nodes[index].child[k] = child; // only now: addNode moves the nodes
         }
         return std::int32_t(index);
     }
 
-    std::int32_t addLeaf(const Part& leaf)
+    std::int32_t addLeaf(const Part& leaf, BvhTree& tree) const
     {
         BvhLeaf shapes;
         shapes.fill(-1);
         for (std::size_t i = leaf.first; i < leaf.last; ++i) shapes[i - leaf.first] = items[i].id;
-        leaves.push_back(shapes);
-        return ~std::int32_t(leaves.size() - 1);
+        tree.leaves.push_back(shapes);
+        return ~std::int32_t(tree.leaves.size() - 1);
     }
 
     Part part(std::size_t first, std::size_t last, int depth) const

@@ -99,7 +99,8 @@ def measure_pictures(runner, options, progress):
 def count_instructions(runner, options, progress):
     """Instructions a ray: two sizes, of which the difference leaves out start-up, reading and building."""
     sizes = ("24x18", "48x36") if options.quick else ("128x96", "256x192")
-    variants = [v for v in variants_of(runner, options) if "threads" not in v[0]]
+    # valgrind computes long double in 64 bits: directions do not have unit length then, and nothing is found by boxes.
+    variants = [v for v in variants_of(runner, options) if "threads" not in v[0] and v[0] != "long double"]
     rows, steps = [], len(options.scenes) * len(variants)
     for scene in options.scenes:
         rays = [sum(runner.json("bench_picture", scene, "--size", size, "--count")["rays"].values()) for size in sizes]
