@@ -61,8 +61,7 @@ ClassResult resultOf(const AskedClass& asked, const ClassRun& first, const Class
     result.passed = second ? std::min(first.passed, second->passed) : first.passed;
     result.points = asked.most * (second ? std::min(first.credit, second->credit) : first.credit);
     result.outcome = second ? std::max(first.outcome, second->outcome) : first.outcome;
-    if (second && differ(first, *second))
-        result.outcome = std::max(result.outcome, Outcome::notDeterministic);
+    if (second && differ(first, *second)) result.outcome = std::max(result.outcome, Outcome::notDeterministic);
     if (!asked.hidden) result.example = first.example || !second ? first.example : second->example;
     return result;
 }
@@ -102,8 +101,7 @@ Answers gradeCandidate(int lesson, const std::function<Candidate()>& start, cons
     {
         answers.classes.push_back(resultOf(*asking.classes[i], first[i], options.twice ? &second[i] : nullptr));
         answers.classes.back().pictures = asking.pictures[i];
-        if (options.twice && differ(first[i], second[i]))
-            addOnce(answers.remarks, "answers differ between two runs");
+        if (options.twice && differ(first[i], second[i])) addOnce(answers.remarks, "answers differ between two runs");
     }
     if (options.mistakes) nameMistakes(answers, asking.classes, first, lesson);
     return answers;
