@@ -110,14 +110,19 @@ Controller::Trees Controller::trace(const Session& session, const std::atomic<bo
 
 void Controller::traceTree()
 {
+    if (const unsigned changes = retrace()) notify(changes);
+}
+
+unsigned Controller::retrace()
+{
     if (!asksOthers())
     {
         take(trace(session, false));
-        notify(changedTree | changedNode | changedStep);
-        return;
+        return changedTree | changedNode | changedStep;
     }
     tracer.start([asked = session](const std::atomic<bool>& stop) { return trace(asked, stop); });
     say("waiting for " + (session.source.isSlow ? session.source : *session.other).title);
+    return 0;
 }
 
 /// The selection stays if the new tree has a ray of the same kind and depth in that place; a failure leaves the old tree.
@@ -260,36 +265,51 @@ void Controller::setMaxDepth(int depth)
     if (session.source.isFixed) return say(session.source.title + " holds a tree that is traced: its depth stays");
     session.scene.trace.maxDepth = depth;
     paintPicture();
-    traceTree();
+    const unsigned tree = retrace(); // meanwhile the first coarse picture is painted
+    const unsigned picture = takePicture(isRefining() ? session.patience : std::chrono::milliseconds(0));
+    if (tree | picture) notify(tree | picture);
 }
 
 void Controller::paintPicture()
 {
     if (!session.source.render) return;
-    painter.start([asked = session](const std::atomic<bool>& stop) {
+    // What was painted until now goes on putting its pictures where nobody takes them.
+    coarse = std::make_shared<CoarsePictures>();
+    painter.start([asked = session, pictures = coarse](const std::atomic<bool>& stop) {
         RenderOptions options = asked.render;
         options.progress = nullptr;
         options.stop = &stop;
-        return asked.source.render(asked.scene, options);
+        return paintInPasses(asked.source, asked.scene, options, *pictures);
     });
 }
 
-bool Controller::poll()
+/// Takes over the picture, or the newest coarse one, for which it waits; says what has changed.
+unsigned Controller::takePicture(std::chrono::milliseconds patience)
 {
+    if (!painter.isBusy()) return 0;
+    auto pass = coarse->take(patience);
     try
     {
         if (auto finished = painter.poll())
         {
             image = std::move(*finished);
             pictureProblem.clear();
-            notify(changedPicture | changedMessage);
+            return changedPicture | changedMessage;
         }
     }
     catch (const std::exception& error)
     {
-        pictureProblem = error.what(); // the old picture stays
-        notify(changedMessage);
+        pictureProblem = error.what(); // the last picture stays
+        return changedMessage;
     }
+    if (!pass) return 0;
+    image = std::move(pass->image);
+    return changedPass;
+}
+
+bool Controller::poll()
+{
+    if (const unsigned changes = takePicture(std::chrono::milliseconds(0))) notify(changes);
     if (auto finished = tracer.poll())
     {
         take(std::move(*finished));
