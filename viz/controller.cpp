@@ -42,7 +42,10 @@ const char* name(Look look)
 Controller::Controller(Session chosen) : session(std::move(chosen))
 {
     if (session.source.isSlow)
+    {
         paintPicture();
+        coarse->goOn();
+    }
     else if (session.source.render)
         image = session.source.render(session.scene, session.render);
     session.render.progress = nullptr; // later pictures are made in the background
@@ -110,19 +113,14 @@ Controller::Trees Controller::trace(const Session& session, const std::atomic<bo
 
 void Controller::traceTree()
 {
-    if (const unsigned changes = retrace()) notify(changes);
-}
-
-unsigned Controller::retrace()
-{
     if (!asksOthers())
     {
         take(trace(session, false));
-        return changedTree | changedNode | changedStep;
+        notify(changedTree | changedNode | changedStep);
+        return;
     }
     tracer.start([asked = session](const std::atomic<bool>& stop) { return trace(asked, stop); });
     say("waiting for " + (session.source.isSlow ? session.source : *session.other).title);
-    return 0;
 }
 
 /// The selection stays if the new tree has a ray of the same kind and depth in that place; a failure leaves the old tree.
@@ -265,9 +263,11 @@ void Controller::setMaxDepth(int depth)
     if (session.source.isFixed) return say(session.source.title + " holds a tree that is traced: its depth stays");
     session.scene.trace.maxDepth = depth;
     paintPicture();
-    const unsigned tree = retrace(); // meanwhile the first coarse picture is painted
-    const unsigned picture = takePicture(isRefining() ? session.patience : std::chrono::milliseconds(0));
-    if (tree | picture) notify(tree | picture);
+    // The picture first: its pane is drawn in a fraction of the time that all take.
+    if (isRefining())
+        if (const unsigned changes = takePicture(session.patience)) notify(changes);
+    traceTree();
+    coarse->goOn();
 }
 
 void Controller::paintPicture()

@@ -22,8 +22,7 @@ struct Session
     std::optional<TreeSource> other; ///< what `source` is compared with
     RenderOptions render;
     Probe probe = std::array<int, 2>{0, 0}; ///< inside the picture
-    std::chrono::milliseconds patience{
-        25}; ///< so long another depth waits to be shown together with its coarse picture
+    std::chrono::milliseconds patience{25}; ///< so long another depth waits for its coarse picture
 };
 
 /// What an action has changed, as a sum.
@@ -192,8 +191,6 @@ private:
     /// What it does needs nothing of the controller: it may run in another thread.
     static Trees trace(const Session& session, const std::atomic<bool>& stop);
     void traceTree();
-    /// What has changed at once.
-    unsigned retrace();
     void take(Trees&& trees);
     void indexEvents();
     void compare(const RayTree& other);

@@ -8,7 +8,8 @@ namespace rt::viz
 namespace
 {
 constexpr double mostAtOnce = 8192; // pixels
-}
+constexpr auto stopTime = std::chrono::milliseconds(5);
+} // namespace
 
 int coarsestFor(int width, int height)
 {
@@ -33,7 +34,7 @@ void CoarsePictures::put(CoarsePicture picture)
 {
     const std::lock_guard lock(mutex);
     newest = std::move(picture);
-    arrived.notify_one();
+    arrived.notify_all();
 }
 
 std::optional<CoarsePicture> CoarsePictures::take(std::chrono::milliseconds patience)
@@ -43,11 +44,28 @@ std::optional<CoarsePicture> CoarsePictures::take(std::chrono::milliseconds pati
     return std::exchange(newest, std::nullopt);
 }
 
+void CoarsePictures::goOn()
+{
+    const std::lock_guard lock(mutex);
+    goesOn = true;
+    arrived.notify_all();
+}
+
+void CoarsePictures::awaitGoOn(const std::atomic<bool>* stop)
+{
+    std::unique_lock lock(mutex);
+    const auto isDone = [&] { return goesOn || (stop && *stop); };
+    while (!isDone()) arrived.wait_for(lock, stopTime, isDone); // nobody notifies of `stop`
+}
+
 Image paintInPasses(const TreeSource& source, const SceneDescription& scene, RenderOptions options,
                     CoarsePictures& pictures)
 {
     options.coarsest = coarsestFor(scene.camera.width, scene.camera.height);
-    options.passed = [&pictures](const Image& traced, int every) { pictures.put({inBlocks(traced, every), every}); };
+    options.passed = [&](const Image& traced, int every) {
+        pictures.put({inBlocks(traced, every), every});
+        if (every == options.coarsest) pictures.awaitGoOn(options.stop);
+    };
     return source.render(scene, options);
 }
 

@@ -32,14 +32,21 @@ public:
     /// The newest, once; waits at most that long for it.
     std::optional<CoarsePicture> take(std::chrono::milliseconds patience);
 
+    /// The first picture has been shown, or nobody waits for it any more.
+    void goOn();
+    /// Until then, or until `stop` is set.
+    void awaitGoOn(const std::atomic<bool>* stop);
+
 private:
     std::mutex mutex;
     std::condition_variable arrived;
     std::optional<CoarsePicture> newest;
+    bool goesOn = false;
 };
 
-/// The source's picture, with the same bits as without passes; the coarser ones are put on the way. A source that makes no
-/// passes puts none. Throws what the source throws.
+/// The source's picture, with the same bits as without passes; the coarser ones are put on the way. After the first it leaves
+/// the processor to whoever shows it, until told to go on. A source that makes no passes puts none. Throws what the source
+/// throws.
 Image paintInPasses(const TreeSource& source, const SceneDescription& scene, RenderOptions options,
                     CoarsePictures& pictures);
 

@@ -107,6 +107,7 @@ TEST(Refine, EndsWithThePlainPictureBitForBit)
             const auto source = lessonSource(*findLesson(lesson), Precision::doubled);
             const Image plain = source.render(scene, {.spp = spp, .threads = 1});
             CoarsePictures pictures;
+            pictures.goOn();
             EXPECT_EQ(paintInPasses(source, scene, {.spp = spp, .threads = 2}, pictures).pixels, plain.pixels)
                 << lesson;
             const auto last = pictures.take(0ms);
@@ -175,7 +176,7 @@ void waitForStop(const RenderOptions& options)
     while (!*options.stop) std::this_thread::sleep_for(1ms);
 }
 
-TEST(Refining, TheFirstCoarsePictureIsShownTogetherWithTheTree)
+TEST(Refining, TheFirstCoarsePictureIsShownBeforeAllElse)
 {
     Controller controller(paintedSession([](const Image& image, const RenderOptions& options) {
         options.passed(image, 8);
@@ -185,10 +186,34 @@ TEST(Refining, TheFirstCoarsePictureIsShownTogetherWithTheTree)
     controller.changed = [&](unsigned changes) { told.push_back(changes); };
     EXPECT_FALSE(controller.isRefining());
     controller.setMaxDepth(1);
-    EXPECT_EQ(told, std::vector<unsigned>{changedTree | changedNode | changedStep | changedPass});
+    EXPECT_EQ(told, (std::vector<unsigned>{changedPass, changedTree | changedNode | changedStep}));
     EXPECT_EQ(controller.picture().at(3, 3).x, 1);
     EXPECT_EQ(controller.tree().maxDepth, 1);
     EXPECT_TRUE(controller.isRefining());
+}
+
+TEST(Refining, LeavesTheProcessorToTheWindowUntilTheChangeIsDrawn)
+{
+    const auto passed = std::make_shared<std::atomic<int>>(0);
+    Controller controller(paintedSession([=](const Image& image, const RenderOptions& options) {
+        for (const int every : {8, 4, 2})
+        {
+            options.passed(image, every);
+            ++*passed;
+        }
+    }));
+    int drawn = 0;
+    controller.changed = [&](unsigned changes) {
+        if (!(changes & (changedPass | changedTree))) return;
+        std::this_thread::sleep_for(20ms);
+        EXPECT_EQ(*passed, 0);
+        ++drawn;
+    };
+    controller.setMaxDepth(1);
+    EXPECT_EQ(drawn, 2);
+    controller.changed = nullptr;
+    controller.wait();
+    EXPECT_EQ(*passed, 3);
 }
 
 TEST(Refining, ASlowFirstPictureHoldsNobodyUp)
