@@ -263,10 +263,14 @@ void Controller::setMaxDepth(int depth)
     if (session.source.isFixed) return say(session.source.title + " holds a tree that is traced: its depth stays");
     session.scene.trace.maxDepth = depth;
     paintPicture();
+    const auto show = [this](std::chrono::milliseconds patience) {
+        if (!isRefining()) return;
+        if (const unsigned changes = takePicture(patience)) notify(changes);
+    };
     // The picture first: its pane is drawn in a fraction of the time that all take.
-    if (isRefining())
-        if (const unsigned changes = takePicture(session.patience)) notify(changes);
+    show(session.patience);
     traceTree();
+    show(std::chrono::milliseconds(0)); // if it was late
     coarse->goOn();
 }
 
