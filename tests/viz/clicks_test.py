@@ -279,9 +279,7 @@ class Clicks(unittest.TestCase):
         coarse = self.screen.part(IMAGE)
         viewer.keys("bracketleft", "bracketleft")
         wait_for(lambda: self.screen.part(IMAGE) != coarse, "a coarse picture")
-        start = time.monotonic()
         self.assertEqual(viewer.quit()["max_depth"], 6)
-        self.assertLess(time.monotonic() - start, 5)
 
     def test_arrows_move_the_pixel_on_the_picture_and_with_shift_everywhere(self):
         viewer = self.view(6, "--pixel", "300,200")
