@@ -1,6 +1,8 @@
 // From a tracer to pixels, without threads: render.h does the same on many, and gets the same bits.
 #pragma once
 
+#include <atomic>
+
 #include "common/image.h"
 #include "common/scene.h"
 #include "common/todo.h"
@@ -42,16 +44,29 @@ inline int tilesOf(const Image& image)
     return ((image.width + tileSide - 1) / tileSide) * ((image.height + tileSide - 1) / tileSide);
 }
 
-/// Renders one of them; a pixel whose exercise is not attempted is magenta.
+/// Some of a picture's pixels: those whose x and y are multiples of `every`, but not of `traced`, which an earlier pass had.
+struct Pass
+{
+    int every = 1;
+    int traced = 0; ///< a multiple of `every`; 0: there was no earlier pass
+
+    bool had(int x, int y) const { return traced && x % traced == 0 && y % traced == 0; }
+    int firstFrom(int start) const { return (start + every - 1) / every * every; }
+};
+
+/// Renders one of them, or a pass of it; a pixel whose exercise is not attempted is magenta. Returns early once `stop` is set.
 template <class Tracer, std::floating_point Real>
-void renderTile(Image& image, int tile, const Scene<Real>& scene, int spp)
+void renderTile(Image& image, int tile, const Scene<Real>& scene, int spp, const Pass& pass = {},
+                const std::atomic<bool>* stop = nullptr)
 {
     Tracer tracer{scene};
     const int columns = (image.width + tileSide - 1) / tileSide;
     const int left = tile % columns * tileSide, top = tile / columns * tileSide;
-    for (int y = top; y < std::min(top + tileSide, image.height); ++y)
-        for (int x = left; x < std::min(left + tileSide, image.width); ++x) try
+    for (int y = pass.firstFrom(top); y < std::min(top + tileSide, image.height); y += pass.every)
+        for (int x = pass.firstFrom(left); x < std::min(left + tileSide, image.width); x += pass.every) try
             {
+                if (pass.had(x, y)) continue;
+                if (stop && *stop) return;
                 image.at(x, y) = Vec3<double>(renderPixel(scene, tracer, x, y, spp));
             }
             catch (const NotAttempted&)

@@ -21,12 +21,16 @@ public:
     Background(const Background&) = delete;
     Background& operator=(const Background&) = delete;
 
-    /// `work` must look at `stop` often and return, with anything, once it is set.
+    /// `work` must look at `stop` often and return, with anything, once it is set. Does not wait for what is replaced: the
+    /// new work's thread does, so that the two never run side by side.
     void start(std::function<Result(const std::atomic<bool>& stop)> work)
     {
-        cancel();
-        stop = false;
-        result = std::async(std::launch::async, [this, work = std::move(work)] { return work(stop); });
+        *stop = true;
+        stop = std::make_shared<std::atomic<bool>>(false);
+        result = std::async(std::launch::async, [before = std::move(result), stop = stop, work = std::move(work)]() {
+            if (before.valid()) before.wait();
+            return *stop ? Result() : work(*stop);
+        });
     }
 
     bool isBusy() const { return result.valid(); }
@@ -46,13 +50,13 @@ public:
 
     void cancel()
     {
-        stop = true;
+        *stop = true;
         if (isBusy()) result.wait();
         result = {};
     }
 
 private:
-    std::atomic<bool> stop = false;
+    std::shared_ptr<std::atomic<bool>> stop = std::make_shared<std::atomic<bool>>(false); // of the newest piece
     std::future<Result> result;
 };
 

@@ -42,7 +42,10 @@ const char* name(Look look)
 Controller::Controller(Session chosen) : session(std::move(chosen))
 {
     if (session.source.isSlow)
+    {
         paintPicture();
+        coarse->goOn();
+    }
     else if (session.source.render)
         image = session.source.render(session.scene, session.render);
     session.render.progress = nullptr; // later pictures are made in the background
@@ -260,36 +263,57 @@ void Controller::setMaxDepth(int depth)
     if (session.source.isFixed) return say(session.source.title + " holds a tree that is traced: its depth stays");
     session.scene.trace.maxDepth = depth;
     paintPicture();
+    const auto show = [this](std::chrono::milliseconds patience) {
+        if (!isRefining()) return;
+        if (const unsigned changes = takePicture(patience)) notify(changes);
+    };
+    // The picture first: its pane is drawn in a fraction of the time that all take.
+    show(session.patience);
     traceTree();
+    show(std::chrono::milliseconds(0)); // if it was late
+    coarse->goOn();
 }
 
 void Controller::paintPicture()
 {
     if (!session.source.render) return;
-    painter.start([asked = session](const std::atomic<bool>& stop) {
+    // What was painted until now goes on putting its pictures where nobody takes them.
+    coarse = std::make_shared<CoarsePictures>();
+    painter.start([asked = session, pictures = coarse](const std::atomic<bool>& stop) {
         RenderOptions options = asked.render;
         options.progress = nullptr;
         options.stop = &stop;
-        return asked.source.render(asked.scene, options);
+        return paintInPasses(asked.source, asked.scene, options, *pictures);
     });
 }
 
-bool Controller::poll()
+/// Takes over the picture, or the newest coarse one, for which it waits; says what has changed.
+unsigned Controller::takePicture(std::chrono::milliseconds patience)
 {
+    if (!painter.isBusy()) return 0;
+    auto pass = coarse->take(patience);
     try
     {
         if (auto finished = painter.poll())
         {
             image = std::move(*finished);
             pictureProblem.clear();
-            notify(changedPicture | changedMessage);
+            return changedPicture | changedMessage;
         }
     }
     catch (const std::exception& error)
     {
-        pictureProblem = error.what(); // the old picture stays
-        notify(changedMessage);
+        pictureProblem = error.what(); // the last picture stays
+        return changedMessage;
     }
+    if (!pass) return 0;
+    image = std::move(pass->image);
+    return changedPass;
+}
+
+bool Controller::poll()
+{
+    if (const unsigned changes = takePicture(std::chrono::milliseconds(0))) notify(changes);
     if (auto finished = tracer.poll())
     {
         take(std::move(*finished));

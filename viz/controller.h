@@ -8,6 +8,7 @@
 #include "common/scene_description.h"
 #include "common/tree_diff.h"
 #include "viz/background.h"
+#include "viz/refine.h"
 #include "viz/tree_source.h"
 
 namespace rt::viz
@@ -21,6 +22,7 @@ struct Session
     std::optional<TreeSource> other; ///< what `source` is compared with
     RenderOptions render;
     Probe probe = std::array<int, 2>{0, 0}; ///< inside the picture
+    std::chrono::milliseconds patience{25}; ///< so long another depth waits for its coarse picture
 };
 
 /// What an action has changed, as a sum.
@@ -33,7 +35,8 @@ enum Change : unsigned
     changedOptions = 16, ///< what is shown, and how
     changedHover = 32,
     changedMessage = 64,
-    changedAll = 127
+    changedPass = 128, ///< the picture, which is still coarse
+    changedAll = 255
 };
 
 /// What keys 1 to 5 show or hide.
@@ -73,7 +76,10 @@ public:
 
     const SceneDescription& scene() const { return session.scene; }
     const TreeSource& source() const { return session.source; }
+    /// The last one that is there: after a change, first a coarse one.
     const Image& picture() const { return image; }
+    /// Is the picture another than the final one for what is chosen? Never of a slow source, which says when it is ready.
+    bool isRefining() const { return painter.isBusy() && !session.source.isSlow; }
     const RayTree& tree() const { return rays; }
     /// The chosen pixel; empty if a ray was given instead.
     std::optional<std::array<int, 2>> pixel() const;
@@ -136,7 +142,7 @@ public:
     void setPlaying(bool playing);
     /// One step while playing; stops at the end.
     void playOn();
-    /// Rays deeper than this are not traced. The tree is traced at once, the picture in the background.
+    /// Rays deeper than this are not traced. The tree is traced at once, the picture in the background, coarse first.
     void setMaxDepth(int depth);
     void setWeakest(double throughput);
     void toggle(Kind kind);
@@ -177,6 +183,7 @@ private:
     double leastThroughput = 0;
     Look theme = Look::dark;
     std::string said, treeProblem, pictureProblem;
+    std::shared_ptr<CoarsePictures> coarse = std::make_shared<CoarsePictures>(); // of what is painted now
     Background<Image> painter;
     Background<Trees> tracer;
 
@@ -188,6 +195,7 @@ private:
     void indexEvents();
     void compare(const RayTree& other);
     void paintPicture();
+    unsigned takePicture(std::chrono::milliseconds patience);
     void notify(unsigned what) const;
 };
 

@@ -33,12 +33,12 @@ void ImagePane::dress()
 
 bool ImagePane::update(unsigned changes)
 {
-    if (changes & changedPicture)
+    if (changes & (changedPicture | changedPass))
     {
         picture = shownPicture(controller);
         if (isPlaced()) placed();
     }
-    return changes & (changedPicture | changedTree);
+    return changes & (changedPicture | changedPass | changedTree);
 }
 
 void ImagePane::placed()

@@ -250,9 +250,11 @@ void ScenePane::dress()
 
 bool ScenePane::update(unsigned changes)
 {
-    if (changes & changedPicture) updatePicture();
+    // The pane is slow to draw: a coarse picture is shown here only if there is something else to draw.
+    if ((changes & changedPicture) || ((changes & changedPass) && (changes & changedTree))) updatePicture();
     if (changes & changedTree) drawing = drawRays(controller.tree(), controller.scene(), objects);
-    if (!(changes & ~(changedPicture | changedHover | changedMessage))) return (changes & changedPicture) != 0;
+    if (!(changes & ~(changedPicture | changedPass | changedHover | changedMessage)))
+        return (changes & changedPicture) != 0;
     rebuildRays();
     renderer()->ResetCameraClippingRange();
     return true;

@@ -78,7 +78,7 @@ double drawKey(Canvas& canvas, double x, double y, const std::string& key, doubl
 
 bool StripPane::update(unsigned changes)
 {
-    return changes & ~(changedHover | changedPicture);
+    return changes & ~(changedHover | changedPicture | changedPass);
 }
 
 void StripPane::set(int slider, double x)

@@ -169,6 +169,7 @@ Session chooseSession(ViewerOptions options, std::string& problem)
 
 void exportAndTell(const std::string& path, Controller& controller)
 {
+    if (controller.isRefining()) controller.wait(); // a coarse picture is no result
     const auto files = exportTo(path, controller);
     std::string list;
     for (const auto& file : files) list += (list.empty() ? "" : ", ") + file;
@@ -204,7 +205,10 @@ ScriptHost scriptHost(Controller& controller, LateWindow& window)
 {
     ScriptHost host{.controller = controller};
     host.exportTo = [&](const std::string& path) { exportAndTell(path, controller); };
-    host.shot = [&](const std::string& file) { writeImage(window().picture(), file); };
+    host.shot = [&](const std::string& file) {
+        controller.wait(); // what keys and clicks have begun
+        writeImage(window().picture(), file);
+    };
     host.key = [&](const std::string& key) { window().press(key); };
     // VTK counts from the lower left corner.
     const auto up = [&](int x, int y) {
@@ -271,6 +275,7 @@ int view(const ViewerOptions& options, char** argv)
     if (!options.exportTo.empty()) exportAndTell(options.exportTo, controller);
     if (!options.screenshot.empty())
     {
+        controller.wait();
         writeImage(window().picture(), options.screenshot);
         std::cerr << fmt::format("{}: {}x{} pixels\n", options.screenshot, width, height);
     }

@@ -428,6 +428,7 @@ void Window::saveScreenshot()
     for (int i = 2; std::filesystem::exists(file) && i < 10000; ++i) file = fmt::format("raytree-{}.png", i);
     try
     {
+        if (controller.isRefining()) controller.wait(); // a coarse picture is no result
         const Image shot = picture();
         writeImage(shot, file);
         say(file + " has been written");

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <functional>
 #include <iostream>
+#include <optional>
+#include <thread>
 
 #include <fmt/format.h>
 
@@ -18,21 +20,93 @@ namespace
 using namespace rt;
 using namespace rt::viz;
 
+using Clock = std::chrono::steady_clock;
+
+double msSince(Clock::time_point start)
+{
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
 /// Median and extremes of wall time in ms.
+void report(const std::string& what, std::size_t nodes, std::vector<double> ms)
+{
+    std::sort(ms.begin(), ms.end());
+    std::cout << fmt::format("{:<26} {:>6} nodes   median {:7.1f} ms   {:7.1f} to {:7.1f}\n", what, nodes,
+                             ms[ms.size() / 2], ms.front(), ms.back());
+}
+
 void report(const std::string& what, std::size_t nodes, int times, const std::function<void(int)>& act)
 {
     std::vector<double> ms;
     for (int i = 0; i <= times; ++i)
     {
-        const auto start = std::chrono::steady_clock::now();
+        const auto start = Clock::now();
         act(i);
-        const double taken =
-            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-        if (i > 0) ms.push_back(taken); // the first warms up
+        if (i > 0) ms.push_back(msSince(start)); // the first warms up
     }
-    std::sort(ms.begin(), ms.end());
-    std::cout << fmt::format("{:<26} {:>6} nodes   median {:7.1f} ms   {:7.1f} to {:7.1f}\n", what, nodes,
-                             ms[ms.size() / 2], ms.front(), ms.back());
+    report(what, nodes, std::move(ms));
+}
+
+/// Another depth cap: until the coarse picture is on the screen, until all panes are, until the final picture is; then
+/// the slider is dragged, with 60 movements a second, and each call is timed that keeps the window from listening.
+void measureRefining(Controller& controller, Window& window)
+{
+    constexpr auto tickTime = std::chrono::milliseconds(80), moveTime = std::chrono::milliseconds(16);
+    const int cap = controller.maxDepth();
+    const auto nodes = controller.tree().nodes.size();
+    Clock::time_point start;
+    std::optional<double> seen;
+    const auto draw = controller.changed;
+    controller.changed = [&](unsigned changes) {
+        draw(changes);
+        if (!seen && (changes & (changedPass | changedPicture))) seen = msSince(start);
+    };
+    const auto finish = [&] {
+        while (controller.isRefining())
+        {
+            std::this_thread::sleep_for(tickTime);
+            window.tick();
+        }
+    };
+    std::vector<double> coarse, whole, final;
+    for (int i = 0; i <= 20; ++i)
+    {
+        start = Clock::now();
+        seen.reset();
+        controller.setMaxDepth(cap - i % 2);
+        const double drawn = msSince(start);
+        finish();
+        if (i == 0) continue;
+        coarse.push_back(*seen);
+        whole.push_back(drawn);
+        final.push_back(msSince(start));
+    }
+    report("MAXDEPTH: coarse picture", nodes, coarse);
+    report("  all panes", nodes, whole);
+    report("  final picture", nodes, final);
+
+    std::vector<double> stalls;
+    auto ticked = Clock::now();
+    const auto timed = [&](const auto& act) {
+        const auto begun = Clock::now();
+        act();
+        stalls.push_back(msSince(begun));
+    };
+    for (int i = 0; i < 60; ++i)
+    {
+        timed([&] { controller.setMaxDepth(std::abs(i % (2 * cap) - cap)); }); // to 0 and back
+        if (Clock::now() - ticked >= tickTime)
+        {
+            timed([&] { window.tick(); });
+            ticked = Clock::now();
+        }
+        std::this_thread::sleep_for(moveTime);
+    }
+    finish();
+    report("  drag the slider", nodes, stalls);
+    controller.setMaxDepth(cap);
+    controller.wait();
+    controller.changed = draw;
 }
 
 Session sessionOf(int lesson, int depth)
@@ -91,12 +165,7 @@ void measure(Session session, const std::string& title)
     report("zoom the tree", nodes, 20, [&](int i) { window.wheel(1300, 600, i % 4 < 2); });
     report("zoom the scene", nodes, 20, [&](int i) { window.wheel(800, 600, i % 4 < 2); });
     report("show or hide a kind", nodes, 20, [&](int) { controller.toggle(Kind::reflected); });
-    if (!controller.source().isFixed)
-    {
-        const int cap = controller.maxDepth();
-        report("another MAXDEPTH", nodes, 20, [&](int i) { controller.setMaxDepth(cap - i % 2); });
-        controller.wait(); // for the picture, which is painted in the background
-    }
+    if (!controller.source().isFixed) measureRefining(controller, window);
     if (nodes > 1000) report("go to a ray by its number", nodes, 20, [&](int i) { controller.selectNode(37 * i); });
 }
 

@@ -274,6 +274,13 @@ class Clicks(unittest.TestCase):
         self.assertEqual({kind for kind, shown in state["kinds"].items() if not shown}, {"reflected", "lit"})
         self.assertEqual((state["normals"], state["look"], state["help"], state["message"]), (False, "light", False, ""))
 
+    def test_the_viewer_can_be_left_while_its_picture_is_refined(self):
+        viewer = self.view(6, "--size", "1200x900", "--spp", 4)
+        coarse = self.screen.part(IMAGE)
+        viewer.keys("bracketleft", "bracketleft")
+        wait_for(lambda: self.screen.part(IMAGE) != coarse, "a coarse picture")
+        self.assertEqual(viewer.quit()["max_depth"], 6)
+
     def test_arrows_move_the_pixel_on_the_picture_and_with_shift_everywhere(self):
         viewer = self.view(6, "--pixel", "300,200")
         viewer.do("mousemove", 216, 208)

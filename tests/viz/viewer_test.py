@@ -82,6 +82,16 @@ class Viewer(unittest.TestCase):
         self.assertTrue(all(p.startswith(b"\x89PNG") for p in pictures))
         self.assertNotEqual(*pictures)
 
+    def test_shots_and_exports_have_the_final_picture_of_the_depth_that_keys_have_chosen(self):
+        keys = "; ".join(["key bracketleft"] * 3 + ["key bracketright"] + ["key bracketleft"] * 6)
+        self.view(6, "--script", f"shot first.png; {keys}; shot keys.png")
+        self.view(6, "--script", "shot first.png; depth 0; shot depth.png")
+        self.assertEqual((self.here / "keys.png").read_bytes(), (self.here / "depth.png").read_bytes())
+        self.view(6, "--script", "key bracketleft; key bracketleft; export out")
+        subprocess.run([PROGRAMS / "lesson06", "--depth", "6", "--out", "plain.png"], check=True, capture_output=True, cwd=self.here)
+        exported, = (self.here / "out").glob("*.png")
+        self.assertEqual(exported.read_bytes(), (self.here / "plain.png").read_bytes())
+
     def test_without_its_fonts_the_view_still_has_text(self):
         fonts = {**NO_DISPLAY, "RAYTREE_FONTS": str(self.here)}
         done = subprocess.run([VIEWER, "2", "--script", "shot a.png; state s.json"], capture_output=True, cwd=self.here, env=fonts)
