@@ -63,7 +63,7 @@ class Exhibits:
             raise SiteError(f"render: {name}: expected 'lesson N', got '{' '.join(words)}'")
         number, rest = int(words[1]), words[2:]
         if "--size" not in rest:
-            rest += ["--size", self.size(*SIZES.get(number, (720, 540)))]
+            rest += ["--size", self.size(*SIZES.get(number, (720, 540)) if not half else (720, 540))]
         if number == 9 and self.draft:
             rest += ["--spp", "4"]
         reads = [lesson(number).folder / "scenes", *(ROOT / word for word in rest if word.endswith(".toml"))]
