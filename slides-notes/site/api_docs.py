@@ -70,7 +70,7 @@ class Pages:
             if child.tag == "ref" and child.get("refid") in self.anchors:
                 there, anchor = self.anchors[child.get("refid")]
                 out += f'<a href="{"" if there == page else there}#{anchor}">{inner}</a>'
-            elif child.tag == "ulink":
+            elif child.tag == "ulink" and child.get("url").startswith("http"):  # file:line:column: is none
                 out += f'<a href="{html.escape(child.get("url"))}">{inner}</a>'
             elif child.tag in INLINE:
                 out += f"<{INLINE[child.tag]}>{inner}</{INLINE[child.tag]}>"

@@ -78,7 +78,7 @@ def row(number, text, new, shown_number=True, anchor=False):
 
 
 def block(rows, label):
-    return f'<pre class="code scrolls" aria-label="{html.escape(label)}" role="region"><code>{"".join(rows)}</code></pre>'
+    return f'<pre class="code scrolls" aria-label="{html.escape(label)}" role="group"><code>{"".join(rows)}</code></pre>'
 
 
 def excerpt(path, text, caption):
@@ -130,5 +130,5 @@ def lesson_listing(lesson, caption):
     flush(not parts, True)
     name = lesson.source.relative_to(ROOT)
     # A details element may not stand in a pre.
-    listing = f'<div class="code scrolls" role="region" aria-label="{name}"><code>{"".join(parts)}</code></div>'
+    listing = f'<div class="code scrolls" role="group" aria-label="{name}"><code>{"".join(parts)}</code></div>'
     return f'<figure class="listing">{listing}<figcaption>{caption}</figcaption></figure>'

@@ -11,7 +11,7 @@ import listings
 from course import ROOT, SiteError
 
 parser = MarkdownIt("commonmark", {"html": True}).enable("table").use(
-    dollarmath_plugin, allow_labels=False, allow_space=False, allow_digits=False)
+    dollarmath_plugin, allow_labels=False, allow_space=False)  # allow_digits=False looks at the wrong letter
 
 
 def slug(text):
@@ -146,11 +146,14 @@ class Renderer:
         elif self.file and re.fullmatch(r"\w+", words):
             found = definition(self.file, words)
             address = self.page.link_to(self.file) + f"#L{found}" if found else ""
-        code = f"<code>{html.escape(words)}</code>"
+        shown = html.escape(words).replace("/", "/<wbr>") if address else html.escape(words)
+        code = f"<code>{shown}</code>"
         return f'<a href="{address}">{code}</a>' if address and not self.page.inside_link else code
 
     def fence(self, token):
         language, source, self.source = token.info.strip() or "text", self.source, None
+        if language == "math":
+            return self.page.formula(token.content, True, self.where)
         if source:
             path = ROOT / source
             if not path.is_file() or not listings.find(path, token.content):

@@ -57,7 +57,7 @@ def page(title, body, *, root, current, groups, headings=(), before=None, after=
 <link rel="stylesheet" href="{root}assets/style.css">
 {extra}<script defer src="{root}assets/site.js"></script>
 </head>
-<body class="{kind}{" has-toc" if toc else ""}">
+<body class="{kind}{" has-toc" if toc else ""}{"" if widgets else " no-widgets"}">
 <a class="skip" href="#main">Skip to the text</a>
 <header class="top">
 <a class="menu-open" href="#contents" aria-label="All pages"><span aria-hidden="true">☰</span></a>
