@@ -103,7 +103,7 @@ class Pages:
         if member.get("kind") == "enum":
             values = ", ".join(value.findtext("name") for value in member.findall("enumvalue"))
             return f"enum class {name} {{ {values} }}"
-        initial = member.findtext("initializer") or ""
+        initial = "".join(member.find("initializer").itertext()) if member.find("initializer") is not None else ""
         if member.get("kind") == "variable" and len(initial) > 60:
             initial = "= ..." if initial.lstrip().startswith("=") else "{...}"
         if member.get("kind") == "typedef" and of:
@@ -112,18 +112,36 @@ class Pages:
             return f"{text}{initial}"
         return f"{text}{of + ' ' if of else ''}{name}{member.findtext('argsstring') or ''}{(' ' + initial) if initial else ''}"
 
+    def data(self, members, page):
+        """The data of a struct: declarations, and what they mean."""
+        rows = []
+        for member in members:
+            _, anchor = self.anchors[member.get("id")]
+            code = "".join(coloured(tidy(self.signature(member)) + "\n", "cpp"))
+            told = re.sub(r"</?p>", " ", self.told(member, page)).strip()
+            rows.append(f'<tr id="{anchor}"><td><code>{code}</code></td><td>{told}</td></tr>')
+        head = '<thead><tr><th scope="col">data</th><th scope="col">meaning</th></tr></thead>'
+        return f'<div class="table scrolls"><table>{head}<tbody>{"".join(rows)}</tbody></table></div>' if rows else ""
+
     def member(self, member, page, level):
-        code = "\n".join(coloured(self.signature(member) + "\n", "cpp"))
+        code = "\n".join(coloured(tidy(self.signature(member)) + "\n", "cpp"))
         place = member.find("location")
         line = place.get("line")
         source = f"../{self.site.address_of(ROOT / 'common' / page.removesuffix('.html'))}#L{line}"
         _, anchor = self.anchors[member.get("id")]
         told = self.told(member, page)
         values = "".join(f"<dt><code>{html.escape(v.findtext('name'))}</code></dt><dd>{self.told(v, page)}</dd>"
-                         for v in member.findall("enumvalue") if self.told(v, page))
+                         for v in member.findall("enumvalue") if self.told(v, page).strip())
         return (f'<section class="member"><h{level} id="{anchor}">{html.escape(member.findtext("name"))}</h{level}>'
                 f'<pre class="code scrolls"><code>{code}</code></pre>{told}{f"<dl>{values}</dl>" if values else ""}'
                 f'<p class="facts"><a href="{source}">line {line}<span class="hidden"> of {html.escape(member.findtext("name"))}</span></a></p></section>')
+
+
+def tidy(code):
+    """As the course writes it, without Doxygen's blanks."""
+    code = re.sub(r"< ", "<", code)
+    code = re.sub(r"(?<![<=&|-]) >", ">", code)
+    return re.sub(r" ([&*]+)(?=\w|,|\))", r"\1 ", code).replace("& ,", "&,").replace("& )", "&)")
 
 
 def members_of(compound, kinds=("function", "variable", "enum", "typedef")):
@@ -180,7 +198,8 @@ def header_page(pages, header, found, types):
         if one not in types:
             parts.append(pages.member(one, page, 2))
             continue
-        inner = "".join(pages.member(m, page, 3) for m in members_of(one))
+        inner = pages.data(members_of(one, ("variable",)), page)
+        inner += "".join(pages.member(m, page, 3) for m in members_of(one, ("function", "enum", "typedef")))
         parts.append(f'<section class="type"><h2 id="{anchor}">{one.get("kind") or "concept"} {html.escape(name)}</h2>{pages.told(one, page)}{inner}</section>')
     source = pages.site.address_of(ROOT / "common" / header)
     title = f"common/{header}"

@@ -17,10 +17,10 @@ def parse(text):
     return (found[1], " ".join(found[2].split())) if found else None
 
 
-def widget(argument, where):
+def widget(argument, where, page):
     if not re.fullmatch(r"[a-z][a-z0-9-]*", argument):
         raise SiteError(f"{where}: expected the name of a widget, got '{argument}'")
-    return f'<div class="widget" data-widget="{argument}"></div>'
+    return f'<div class="widget" data-widget="{argument}"></div>' if page.site.widgets else ""
 
 
 def slider(argument, where, page):

@@ -104,7 +104,7 @@ class Exhibits:
         target = "json/lesson01.json"
         if target not in self.wanted:
             scenes = lesson(1).folder / "scenes"
-            self.add(Exhibit(target, "lesson01", ("--tree", "json", "STDOUT"), (scenes,)))
+            self.add(Exhibit(target, "lesson01", (str(first_scene(lesson(1)).relative_to(ROOT)), "--tree", "json", "STDOUT"), (scenes,)))
         return target
 
     def make(self, out, say):

@@ -170,13 +170,11 @@ class Renderer:
         if name == "from":
             self.source = argument
             return ""
-        if name == "widget":
-            return directives.widget(argument, self.where)
         if name == "listing":
             return self.page.listing(argument)
         if name == "exercises":
             return self.page.exercise_cards(argument)
-        return {"slider": directives.slider, "tree": directives.tree, "render": directives.render}[name](argument, self.where, self.page)
+        return {"widget": directives.widget, "slider": directives.slider, "tree": directives.tree, "render": directives.render}[name](argument, self.where, self.page)
 
     def html_inline(self, token):
         return "" if token.content.startswith("<!--") else token.content

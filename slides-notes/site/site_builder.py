@@ -1,18 +1,18 @@
 """All pages, from texts and programs to files."""
-import html
+import hashlib
 import re
 import shutil
 import subprocess
 import sys
+import tempfile
+from pathlib import Path
 
-import listings
 import special_pages
 import template
 from course import NOTES, ROOT, SiteError, lessons
-from exhibits import Exhibits, dimensions
+from exhibits import Exhibits, digest, dimensions
 from formulas import Formulas
-from page_context import Context
-from site_pages import Page, navigation, title_of
+from site_pages import Page, navigation
 
 HERE = NOTES / "site"
 KATEX = "/usr/share/javascript/katex/katex.min.css"
@@ -111,10 +111,24 @@ class Site:
                 shutil.copyfile(f"{KATEX_FONTS}/{name}", folder / "fonts" / name)
         except FileNotFoundError as error:
             raise SiteError(f"{error.filename} is missing; its package is in the list site_packages of ./raytree") from None
-        self.widgets = (HERE / "widgets/widgets.js").is_file() and (HERE / "widgets/widgets.css").is_file()
-        if (HERE / "widgets").is_dir():
-            shutil.copytree(HERE / "widgets", self.out / "widgets", ignore=shutil.ignore_patterns("*.py", "*.md", "__pycache__", "*test*"))
-            if (HERE / "widgets/build.py").is_file():
-                done = subprocess.run([sys.executable, "-B", HERE / "widgets/build.py", self.out / "widgets"], capture_output=True, text=True, check=False)
-                if done.returncode:
-                    raise SiteError(f"widgets/build.py: {(done.stderr.strip() or 'it failed').splitlines()[-1]}")
+        self.widgets = self.make_widgets()
+
+    def make_widgets(self):
+        """widgets/build.py compiles the lessons for the browser, once as long as they stay the same; or the files are there."""
+        source, out = HERE / "widgets", self.out / "widgets"
+        if (source / "build.py").is_file():
+            key = "".join(digest(folder) for folder in (source, ROOT / "common", *(lesson.source for lesson in lessons())))
+            made = self.cache / f"widgets-{hashlib.sha256(key.encode()).hexdigest()[:32]}"
+            if not made.is_dir():
+                self.say("widgets: compiling the lessons for the browser")
+                self.cache.mkdir(parents=True, exist_ok=True)
+                with tempfile.TemporaryDirectory(dir=self.cache) as folder:
+                    part = Path(folder) / "widgets"
+                    done = subprocess.run([sys.executable, "-B", source / "build.py", part], capture_output=True, text=True, check=False)
+                    if done.returncode:
+                        raise SiteError(f"widgets: {(done.stderr.strip() or 'build.py failed').splitlines()[0]}")
+                    part.rename(made)
+            shutil.copytree(made, out)
+        elif source.is_dir():
+            shutil.copytree(source, out, ignore=shutil.ignore_patterns("*.py", "*.md", "__pycache__"))
+        return (out / "widgets.js").is_file() and (out / "widgets.css").is_file()

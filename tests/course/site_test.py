@@ -115,7 +115,7 @@ def check_mistakes(programs, cache, folder):
     (other / "thesis.txt").write_text("precious")
     done = build(programs, cache, other, "--draft", "--no-api")
     expect(done.returncode == 2 and "is not a site" in done.stderr and (other / "thesis.txt").exists(), "a folder that is something else stays")
-    for what, words in ((lambda: directives.widget("Fancy <b>", "x.md"), "x.md"), (lambda: directives.slider("a.png | b", "x.md", None), "LEFT RIGHT"),
+    for what, words in ((lambda: directives.widget("Fancy <b>", "x.md", None), "x.md"), (lambda: directives.slider("a.png | b", "x.md", None), "LEFT RIGHT"),
                         (lambda: directives.tree("six", "x.md", None), "tree: N"), (lambda: directives.render("a.gif = lesson 1", "x.md", None), "NAME.png"),
                         (lambda: bad_formula(Formulas()), r"\nonsense")):
         try:
