@@ -15,7 +15,7 @@ def kind(schema, definitions):
     of = schema.get("type", "any")
     words = " or ".join("null" if one == "null" else one for one in (of if isinstance(of, list) else [of]))
     if of == "array":
-        items = kind(schema.get("items", {}), definitions)
+        items = kind(schema.get("items", {}), definitions).split(",")[0]
         count = schema.get("minItems")
         return f"{count} {items}s" if count and count == schema.get("maxItems") else f"list of {items}"
     if "exclusiveMinimum" in schema:
