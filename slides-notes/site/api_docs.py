@@ -133,7 +133,7 @@ class Pages:
         values = "".join(f"<dt><code>{html.escape(v.findtext('name'))}</code></dt><dd>{self.told(v, page)}</dd>"
                          for v in member.findall("enumvalue") if self.told(v, page).strip())
         return (f'<section class="member"><h{level} id="{anchor}">{html.escape(member.findtext("name"))}</h{level}>'
-                f'<pre class="code scrolls"><code>{code}</code></pre>{told}{f"<dl>{values}</dl>" if values else ""}'
+                f'<pre class="code scrolls" role="group" aria-label="Declaration"><code>{code}</code></pre>{told}{f"<dl>{values}</dl>" if values else ""}'
                 f'<p class="facts"><a href="{source}">line {line}<span class="hidden"> of {html.escape(member.findtext("name"))}</span></a></p></section>')
 
 

@@ -26,8 +26,12 @@
       if (box.scrollWidth > box.clientWidth + 1) box.tabIndex = 0;
       else box.removeAttribute("tabindex");
   }
-  addEventListener("resize", reach);
-  document.fonts ? document.fonts.ready.then(reach) : reach();
+  for (const event of ["resize", "load"]) addEventListener(event, reach);
+  if (document.fonts) {
+    document.fonts.addEventListener("loadingdone", reach);
+    document.fonts.ready.then(reach);
+  }
+  reach();
 
   // The list of pages opens where the current one is; Escape closes it where it covers the text.
   const pages = document.getElementById("contents");
