@@ -23,7 +23,7 @@
   // What scrolls sideways can be reached with the keyboard.
   function reach() {
     for (const box of document.querySelectorAll(".scrolls"))
-      if (box.scrollWidth > box.clientWidth + 1) box.tabIndex = 0;
+      if (box.scrollWidth > box.clientWidth) box.tabIndex = 0;
       else box.removeAttribute("tabindex");
   }
   for (const event of ["resize", "load"]) addEventListener(event, reach);
