@@ -28,11 +28,16 @@ def say(text):
     print(f"raytree notes: {text}", file=sys.stderr, flush=True)
 
 
+def check_place(out):
+    """A folder that is something else is not touched."""
+    if out.exists() and (not out.is_dir() or (any(out.iterdir()) and not (out / MARKER).exists())):
+        raise SiteError(f"{out} exists and is not a site that was built here; name another folder with --out")
+
+
 def replace(built, out):
-    """Puts the new site in the place of the old one; a folder that is something else stays."""
+    """Puts the new site in the place of the old one."""
+    check_place(out)
     if out.exists():
-        if not out.is_dir() or (any(out.iterdir()) and not (out / MARKER).exists()):
-            raise SiteError(f"{out} exists and is not a site that was built here; name another folder with --out")
         old = pathlib.Path(tempfile.mkdtemp(prefix=f".{out.name}-old-", dir=out.parent)) / "site"
         out.rename(old)
         built.rename(out)
@@ -52,6 +57,7 @@ def main():
     given = parser.parse_args()
     started, out = time.time(), given.out.resolve()
     try:
+        check_place(out)
         out.parent.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(prefix=f".{out.name}-", dir=out.parent) as folder:
             built = pathlib.Path(folder) / "site"
