@@ -17,21 +17,27 @@ PACKAGES = "clang-14 lld-14 wasi-libc libc++-14-dev-wasm32 libc++abi-14-dev-wasm
 
 
 def fail(message):
-    sys.exit(f"build.py: {message}")
+    print(f"build.py: {message}", file=sys.stderr)
+    sys.exit(2)
 
 
 def find_clang():
-    for version in range(14, 30):
-        if path := shutil.which(f"clang++-{version}"):
-            return path
-    fail(f"the widgets of the notes need clang++-14 or newer for WebAssembly; Debian's packages: {PACKAGES}")
+    return next(filter(None, (shutil.which(f"clang++-{version}") for version in range(14, 30))), None)
 
 
 def find_glm():
-    for folder in ("/usr/include", "/usr/local/include"):
-        if pathlib.Path(folder, "glm/vec3.hpp").exists():
-            return pathlib.Path(folder, "glm")
-    fail("glm/vec3.hpp is in neither /usr/include nor /usr/local/include; Debian's package is libglm-dev")
+    return next((folder / "glm" for folder in map(pathlib.Path, ("/usr/include", "/usr/local/include")) if (folder / "glm/vec3.hpp").exists()), None)
+
+
+def missing():
+    """Why nothing can be built here, as a sentence; empty if it can."""
+    if not find_clang():
+        return f"the widgets of the notes need clang++-14 or newer, which compiles the lessons to WebAssembly; Debian's packages: {PACKAGES}"
+    if not find_glm():
+        return "the widgets of the notes need GLM in /usr/include or /usr/local/include; Debian's package: libglm-dev"
+    if not pathlib.Path("/usr/include/wasm32-wasi").exists():
+        return f"the widgets of the notes need a C library for WebAssembly in /usr/include/wasm32-wasi; Debian's packages: {PACKAGES}"
+    return ""
 
 
 def compile_formulas(folder):
@@ -54,6 +60,8 @@ def main():
     if len(sys.argv) != 2:
         print(__doc__, file=sys.stderr)
         return 2
+    if why := missing():
+        fail(why)
     out = pathlib.Path(sys.argv[1])
     out.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(prefix="raytree-widgets-") as folder:

@@ -8,8 +8,8 @@ widget("cap", {
     { id: "lamp", label: "brightest radiance", min: 1, max: 100, step: 1, value: 1 },
   ],
   numbers: [
-    { id: "tree", label: "rays if each splits (glass)", places: 0 }, { id: "chain", label: "rays between mirrors", places: 0 },
-    { id: "left", label: "throughput left", places: 5 }, { id: "error", label: "the pixel lacks at most", places: 4 },
+    { id: "tree", label: "rays if all split", places: 0 }, { id: "chain", label: "rays of mirrors", places: 0 },
+    { id: "left", label: "throughput left", places: 5 }, { id: "error", label: "the pixel lacks", places: 4 },
   ],
   update({ depth, s, lamp }, show, d) {
     const [tree, chain, left, pixel, error] = ask("cap", depth, s, lamp);
@@ -40,6 +40,6 @@ widget("cap", {
     d.box(0, 0, pixel / lamp, 20, "bar camera");
     d.text(0, -14, `${digits(pixel, 3)} of ${digits(lamp, 0)}`, "small", "start");
     d.text(1, -14, `missing ${digits(error, 3)}`, "small blocked", "end");
-    return `MAXDEPTH = ${depth}: up to ${tree} ${tree === 1 ? "ray" : "rays"} through glass, ${chain} between mirrors. What is not traced has throughput ${digits(left, 4)}, so the pixel lacks at most ${digits(error, 3)}.`;
+    return `MAXDEPTH = ${depth}: up to ${tree} ${tree === 1 ? "ray" : "rays"} through glass, ${chain} between mirrors. What is not traced counts ${digits(left, 4)}: the pixel lacks ${digits(error, 3)}.`;
   },
 });

@@ -32,6 +32,7 @@ function sliderRow(id, slider, onInput) {
   const show = () => {
     const text = slider.text ? slider.text(read()) : digits(read(), slider.places ?? 0) + (slider.unit ?? "");
     output.textContent = text;
+    input.dataset.value = read(); // as it goes to the lesson
     input.setAttribute("aria-valuetext", text);
   };
   const read = () => (slider.value_of ? slider.value_of(input.valueAsNumber) : input.valueAsNumber);
@@ -82,13 +83,14 @@ function build(place) {
     cell.dataset.value = value;
     cell.textContent = text ?? (value === undefined ? "\u2014" : digits(value, declared.numbers.find((n) => n.id === number).places ?? 3));
   };
+  let later = 0;
   const update = () => {
     const values = Object.fromEntries(Object.entries(rows).map(([key, row]) => [key, row.read()]));
     drawing.clear();
     says.textContent = declared.update(values, show, drawing);
     drawing.svg.setAttribute("aria-label", says.textContent);
-    clearTimeout(update.later); // not at every step of a drag
-    update.later = setTimeout(() => { aloud.textContent = update.first ? says.textContent : ""; update.first = true; }, 500);
+    clearTimeout(later); // it is read aloud after a drag, not at each of its steps, and not as the page opens
+    if (place.dataset.ready) later = setTimeout(() => { aloud.textContent = says.textContent; }, 500);
   };
   update();
   place.dataset.ready = "yes";
@@ -101,13 +103,23 @@ function start() {
   const bytes = Uint8Array.from(atob(MODULE), (c) => c.charCodeAt(0));
   // The C++ library would like to write messages; nothing here does. 52 is WASI's "not supported".
   const silent = new Proxy({}, { get: () => () => 52 });
-  WebAssembly.instantiate(bytes, { wasi_snapshot_preview1: silent }).then(({ instance }) => {
+  const imports = { wasi_snapshot_preview1: silent };
+  const show = (instance) => {
     lesson = instance.exports;
     lesson._initialize();
     places.forEach(build);
-  }).catch((error) => {
+  };
+  const giveUp = (error) => {
     for (const place of places) {
       if (!place.dataset.ready) place.append(element("p", { className: "widget-says", textContent: `This figure cannot run here: ${error.message}` }));
     }
-  });
+  };
+  // At once where the browser allows it, so that the page does not jump; older ones insist on waiting.
+  let instance = null;
+  try {
+    instance = new WebAssembly.Instance(new WebAssembly.Module(bytes), imports);
+  } catch {
+    Promise.resolve().then(() => WebAssembly.instantiate(bytes, imports)).then((made) => show(made.instance)).catch(giveUp);
+  }
+  if (instance) show(instance);
 }

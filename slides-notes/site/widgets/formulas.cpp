@@ -133,7 +133,7 @@ extern "C"
     // 02: D, N, D.N, R, angles of D and R to N.
     void reflect(double arrival, double tilt)
     {
-        const vec3 D = -direction(-arrival), N = direction(tilt);
+        const vec3 D = -direction(arrival), N = direction(tilt);
         const vec3 R = lesson02::Tracer<double>::reflect(D, N);
         numbers = {D.x, D.y, N.x, N.y, dot(D, N), R.x, R.y, angleBetween(-D, N), angleBetween(R, N)};
     }

@@ -37,15 +37,15 @@ widget("fresnel", {
     const mark = (x, name) => {
       if (x < 0) return;
       d.line(x, 0, x, 1, "limit");
-      d.text(x < 45 ? x + 2 : x - 2, 0.9, name, "small halo", x < 45 ? "start" : "end");
+      d.text(x - 2, 0.9, name, "small halo", "end");
     };
     mark(brewster, "Brewster");
-    if (critical >= 0) d.text((critical + 90) / 2, 0.6, "total reflection", "small halo");
+    if (critical >= 0) d.text(Math.min((critical + 90) / 2, 75), 0.6, "total reflection", "small halo");
     d.line(angle, 0, angle, 1, "here");
     d.circle(angle, schlick, 4, "dot schlick");
     d.circle(angle, Fr, 5, "dot reflected");
-    [["F\u1d63", "reflected"], ["Schlick", "schlick dashed"], ["s", "spol thin"], ["p", "ppol thin"]].forEach(([name, className], i) => {
-      const x = 3 + [0, 18, 48, 65][i];
+    [["exact", "reflected"], ["Schlick", "schlick dashed"], ["s", "spol thin"], ["p", "ppol thin"]].forEach(([name, className], i) => {
+      const x = 3 + [0, 23, 51, 68][i];
       d.line(x, -0.165, x + 7, -0.165, `curve ${className}`);
       d.text(x + 9, -0.165, name, "small", "start");
     });
@@ -56,7 +56,7 @@ widget("fresnel", {
     if (Fr > 0.2) d.text(Fr / 2, 9, "reflected", "small ink");
     if (Ft > 0.24) d.text(Fr + Ft / 2, 9, "transmitted", "small ink");
     return critical >= 0 && angle >= critical
-      ? `Beyond ${digits(critical, 1)}\u00b0 all light is reflected: F\u1d63 = 1.`
+      ? `Beyond ${digits(critical, 1)}\u00b0 all light is reflected: Fr = 1.`
       : `${digits(100 * Fr, 1)} % reflected, ${digits(100 * Ft, 1)} % transmitted, together 100 %. Schlick says ${digits(100 * schlick, 1)} %.`;
   },
 });

@@ -1,7 +1,7 @@
 // Lesson 08: the light that leaves in each direction.
 widget("phong", {
   label: "Diffuse and glossy",
-  view: [320, 236],
+  view: [320, 212],
   sliders: [
     { id: "exponent", label: "exponent \u03b1", min: 0, max: 3, step: 0.05, value: 1.3, value_of: (v) => 10 ** v, places: 1 },
     { id: "glossy", label: "glossy share f", min: 0, max: 1, step: 0.01, value: 0.7, places: 2 },
@@ -19,10 +19,10 @@ widget("phong", {
     show("diffuse", diffuse);
     show("gloss", gloss);
     show("half", half, `${digits(half, 1)}\u00b0 beside R`);
-    d.at(160, 196, 150);
+    d.at(160, 178, 128);
     d.box(-2, -1, 4, 1, "ground");
     d.line(-2, 0, 2, 0, "rule");
-    const lobe = [[0, 0]], soft = [[0, 0]];
+    const lobe = [[0, 0]], soft = [];
     for (let a = -90; a <= 90; a += 0.5) {
       const at = ask("phong", exponent, glossy, light, a);
       lobe.push(along(a, at[0]));
@@ -32,8 +32,10 @@ widget("phong", {
     d.path(soft, "curve thin dashed normal");
     d.line(0, 0, 0, 1.15, "measure");
     d.text(0, 1.2, "N", "name normal");
-    d.arrow(...along(light, 1.1), ...along(light, 0.06), "reaches");
-    d.text(...along(light + (light < 0 ? -7 : 7), 1.0), "L", "name reaches");
+    d.line(0, 0, ...along(light, 1.1), "ray reaches");
+    d.circle(...along(light, 1.16), 8, "lamp");
+    d.arrow(0, 0, ...along(light, 0.85), "reaches");
+    d.text(...along(light + (light < 0 ? -8 : 8), 0.78), "L", "name reaches");
     d.line(0, 0, ...along(mirror, 1.1), "ray reflected");
     d.text(...along(mirror, 1.18), "R", "name reflected halo");
     d.arrow(0, 0, ...along(eye, 1.1), "camera");

@@ -9,8 +9,8 @@ function drawMedia(d, n1, n2) {
   d.line(0, 0, 0, -1.2, "measure");
   d.arrow(0, 0, 0, 0.75, "normal");
   d.text(0.13, 0.75, "N", "name normal");
-  d.text(-1.62, 0.12, `n\u2081 = ${digits(n1, 2)}`, "small", "start");
-  d.text(-1.62, -0.14, `n\u2082 = ${digits(n2, 2)}`, "small", "start");
+  d.text(-1.62, 1.18, `n\u2081 = ${digits(n1, 2)}`, "small", "start");
+  d.text(-1.62, -1.18, `n\u2082 = ${digits(n2, 2)}`, "small", "start");
 }
 
 widget("refract", {
@@ -43,7 +43,7 @@ widget("refract", {
     d.text(...along(-angle / 2, 0.5), "\u03b8\u2081", "small halo");
     const one = 1.2;
     d.arrow(-Dx * one, -Dy * one, 0, 0, "camera");
-    d.text(-Dx * 0.95 - 0.12 * Dy, -Dy * 0.95 + 0.12 * Dx, "D", "name camera");
+    d.text(-Dx * 0.85 + 0.13 * Dy, -Dy * 0.85 - 0.13 * Dx, "D", "name camera halo");
     if (exists) {
       d.arc(180, 180 - angle2, 0.36);
       d.text(...along(180 - angle2 / 2, 0.5), "\u03b8\u2082", "small halo");
@@ -53,7 +53,7 @@ widget("refract", {
     }
     d.arrow(0, 0, Rx * one, Ry * one, "reflected");
     d.text(Rx * 0.95 + 0.12, Ry * 0.95 - 0.06, "R", "name reflected");
-    d.text(0, -0.8, "total internal reflection", "name reflected");
+    d.text(0, -0.8, "total internal reflection", "name reflected halo");
     return `k = ${digits(k)} < 0: cos\u03b8\u2082 does not exist, and neither does T. Beyond ${digits(critical, 1)}\u00b0 everything is reflected.`;
   },
 });
