@@ -35,7 +35,7 @@ widget("line", {
       const room = ([x, y]) => (Math.abs(x) > 7 || Math.abs(y) > 5.3 ? -1 : Math.hypot(x + unitC * nx, y + unitC * ny));
       const [x, y] = places.reduce((best, place) => (room(place) > room(best) ? place : best));
       d.arrow(x, y, x + nx * 1.4, y + ny * 1.4, "normal");
-      d.text(x + nx * 1.95, y + ny * 1.95, "n", "name normal halo");
+      d.text(x + nx * 1.85, y + ny * 1.85, "n", "name normal halo");
     }
     const long = Math.hypot(qx - px, qy - py) || 1; // names stand on the side to which n does not point
     for (const [x, y, name] of [[px, py, "P"], [qx, qy, "Q"]]) {
@@ -45,6 +45,6 @@ widget("line", {
     if (!isLine) return "P and Q are the same point: there is no line through them alone.";
     const signed = (value) => `${value < 0 ? "\u2212" : "+"} ${digits(Math.abs(value), 0)}`;
     const implicit = `${digits(A, 0)} x ${signed(B)} y ${signed(C)} = 0`;
-    return `${implicit}. ${hasSlope ? "" : "A vertical line has no slope. "}The normal is n = (${digits(A, 0)}, ${digits(B, 0)}); the line is ${digits(distance, 2)} from the origin.`;
+    return `${implicit}. ${hasSlope ? "" : "A vertical line has no slope. "}The normal is n = (${digits(A, 0)},\u00a0${digits(B, 0)}); the line is ${digits(distance, 2)} from the origin.`;
   },
 });
