@@ -1,0 +1,79 @@
+#!/usr/bin/env python3
+"""Writes the widgets of the notes: widgets.js, with the lessons' C++ in it as WebAssembly, and widgets.css.
+
+usage: build.py OUTDIR"""
+import base64
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parents[2]
+PARTS = ["core", "drawing", "slider", "line", "cosine", "reflect", "partial", "bowling", "refract", "fresnel", "cap", "phong"]
+EXPORTS = ["results", "line", "cosine", "reflect", "partial", "bowling", "refract", "fresnel", "cap", "phong"]
+PACKAGES = "clang-14 lld-14 wasi-libc libc++-14-dev-wasm32 libc++abi-14-dev-wasm32 libclang-rt-14-dev-wasm32 libglm-dev"
+
+
+def fail(message):
+    print(f"build.py: {message}", file=sys.stderr)
+    sys.exit(2)
+
+
+def find_clang():
+    return next(filter(None, (shutil.which(f"clang++-{version}") for version in range(14, 30))), None)
+
+
+def find_glm():
+    return next((folder / "glm" for folder in map(pathlib.Path, ("/usr/include", "/usr/local/include")) if (folder / "glm/vec3.hpp").exists()), None)
+
+
+def missing():
+    """Why nothing can be built here, as a sentence; empty if it can."""
+    if not find_clang():
+        return f"the widgets of the notes need clang++-14 or newer, which compiles the lessons to WebAssembly; Debian's packages: {PACKAGES}"
+    if not find_glm():
+        return "the widgets of the notes need GLM in /usr/include or /usr/local/include; Debian's package: libglm-dev"
+    if not pathlib.Path("/usr/include/wasm32-wasi").exists():
+        return f"the widgets of the notes need a C library for WebAssembly in /usr/include/wasm32-wasi; Debian's packages: {PACKAGES}"
+    return ""
+
+
+def compile_formulas(folder):
+    """The lessons as a WebAssembly module of a few kB. They throw only what cannot happen here; then the module stops."""
+    include = pathlib.Path(folder, "include")
+    include.mkdir()
+    (include / "glm").symlink_to(find_glm()) # not /usr/include itself: it holds headers of another machine
+    module = pathlib.Path(folder, "formulas.wasm")
+    command = [find_clang(), "--target=wasm32-wasi", "-std=c++20", "-Oz", "-DNDEBUG", "-flto", "-fignore-exceptions", "-ffunction-sections",
+               "-ffp-contract=off", "-I", str(ROOT), "-isystem", str(include), "-isystem", str(HERE / "include"),
+               "-mexec-model=reactor", "-Wl,--gc-sections,--strip-all,--lto-O2", *[f"-Wl,--export={name}" for name in EXPORTS],
+               str(HERE / "formulas.cpp"), str(HERE / "no_throw.cpp"), "-o", str(module)]
+    done = subprocess.run(command, capture_output=True, text=True)
+    if done.returncode:
+        fail(f"formulas.cpp does not compile to WebAssembly (packages: {PACKAGES}):\n{done.stderr}")
+    return module.read_bytes()
+
+
+def main():
+    if len(sys.argv) != 2:
+        print(__doc__, file=sys.stderr)
+        return 2
+    if why := missing():
+        fail(why)
+    out = pathlib.Path(sys.argv[1])
+    out.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(prefix="raytree-widgets-") as folder:
+        module = base64.b64encode(compile_formulas(folder)).decode()
+    parts = [(HERE / f"{name}.js").read_text() for name in PARTS]
+    script = '"use strict";\n(() => {\nconst MODULE = "' + module + '";\n' + "\n".join(parts) + "\nstart();\n})();\n"
+    for name, text in (("widgets.js", script), ("widgets.css", (HERE / "widgets.css").read_text())):
+        part = out / (name + ".part")
+        part.write_text(text)
+        part.replace(out / name)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
