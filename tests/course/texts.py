@@ -7,7 +7,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 NOTES = ROOT / "slides-notes"
 LESSONS = sorted(ROOT.glob("lessons/[0-9][0-9]_*"))
 # Where readers meet commands and figures.
-READ = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted(NOTES.rglob("*.md")), *(lesson / "README.md" for lesson in LESSONS),
+READ = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted(NOTES.glob("*.md")), *(lesson / "README.md" for lesson in LESSONS),
         ROOT / "tests/grade/README.md", ROOT / "tests/grade/recipes/README.md"]
 problems = []
 
