@@ -2,7 +2,7 @@
 """Every command that README, the notes, the lessons' READMEs and the grader's show is run, in a scratch copy of the project,
 as a reader's shell would run it: fenced `sh` blocks line by line, and `./raytree ...` in the text. All must succeed. A `text`
 block after an `sh` block is what the commands print: each of its lines must be among the output ("..." stands for any lines,
-and for anything at a line's end).
+and for anything at a line's end). A C++ block below <!-- instead of LINE in FILE --> is put into that file, as the reader does.
 
     check_commands.py FOLDER_OF_PROGRAMS
 
@@ -11,11 +11,12 @@ What would take long is bounded, what cannot run here is named with the reason.
 import concurrent.futures
 import os
 import re
+import shutil
 import subprocess
 import sys
 
 from scratch import BIN, Scratch
-from texts import READ, ROOT, blocks, finish, inline_commands, name, problem
+from texts import READ, ROOT, blocks, edits, finish, inline_commands, name, problem
 
 # Not run at all: pattern -> reason.
 CANNOT = {
@@ -77,9 +78,23 @@ def furnish(here, solved):
     (here / "course.secret").write_bytes(bytes(range(32)))
 
 
+def edit(here, path, number, change):
+    """Writes what the reader writes, and lets `learn` read the scratch copy's files from now on."""
+    file, old, new = change
+    if (here / "lessons").is_symlink():
+        (here / "lessons").unlink()
+        shutil.copytree(ROOT / "lessons", here / "lessons")
+    text = (here / file).read_text()
+    if text.count(old) != 1:
+        problem(path, number, f"{file} has '{old}' {text.count(old)} times, not once")
+    (here / file).write_text(re.sub(rf"^ *{re.escape(old)}\n", lambda _: new, text, flags=re.M))
+    return f" --file {file}"
+
+
 def steps(path):
-    """(line number, command or None, expected text or None), in the file's order."""
+    """(line number, command or None, what is to be printed or to be written), in the file's order."""
     found = [(number, command, None) for number, command in inline_commands(path)]
+    found += [(number, None, (file, old, new)) for number, file, old, new in edits(path)]
     for start, language, text in blocks(path):
         if language == "sh":
             lines = re.sub(r"\\\n", "  ", text).splitlines()
@@ -108,8 +123,11 @@ def check_file(scratch, path, solved, missing):
     """Returns (commands run, commands left out)."""
     here = scratch.clone(name(path).replace("/", "-"))
     furnish(here, solved)
-    ran, left, output, block_end = 0, 0, "", 0
+    ran, left, output, edited = 0, 0, "", ""
     for number, command, expected in steps(path):
+        if isinstance(expected, tuple):
+            edited = edit(here, path, number, expected)
+            continue
         if expected is not None:
             compare(path, number, expected, output)
             output = ""
@@ -118,7 +136,8 @@ def check_file(scratch, path, solved, missing):
            any(re.search(pattern, command.split("#")[0].rstrip()) for pattern, program in NEEDS.items() if program in missing):
             left += 1
             continue
-        code, printed = scratch.run(runnable(command), here, SECONDS)
+        line = runnable(command) + (edited if re.match(r"\./raytree learn --once", command) else "")
+        code, printed = scratch.run(line, here, SECONDS)
         output += printed
         ran += 1
         if code is None:

@@ -162,6 +162,22 @@ def check_lessons():
             problems.append(f"slides-notes/README.md has no row for slides-notes/{page}")
 
 
+def check_questions():
+    """Each page of notes ends with questions, numbered, each with an answer to unfold."""
+    for path in (NOTES / f"{lesson.name.replace('_', '-')}.md" for lesson in LESSONS):
+        text = path.read_text() if path.exists() else ""
+        head, heading, part = text.partition("\n## Questions\n")
+        questions = list(re.finditer(r"^(\d+)\. (?:.*)\n\n(<details><summary>Answer</summary>\n\n(?:.*\n)*?\n?</details>)?", part, re.M))
+        if len(questions) < 3:
+            problems.append(f"{name(path)} has {len(questions)} questions; expected 3 at least, under ## Questions")
+        for i, one in enumerate(questions, 1):
+            line = head.count("\n") + part.count("\n", 0, one.start()) + 3
+            if not one[2]:
+                problems.append(f"{name(path)}:{line}: question {one[1]} has no answer between <details><summary>Answer</summary> and </details>")
+            if int(one[1]) != i:
+                problems.append(f"{name(path)}:{line}: this is question {i}, not {one[1]}")
+
+
 def check_errata():
     """Each erratum names a test that exists, and each test has its erratum."""
     errata, tests = NOTES / "errata.md", ROOT / "tests/lessons/errata_test.cpp"
@@ -230,7 +246,7 @@ def check_commands():
             check_command(name(path), line, words, options)
 
 
-for check in (check_excerpts, check_links, check_pictures, check_slides, check_lessons, check_errata, check_commands):
+for check in (check_excerpts, check_links, check_pictures, check_slides, check_lessons, check_questions, check_errata, check_commands):
     check()
 for problem in problems:
     print(problem, file=sys.stderr)

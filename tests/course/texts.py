@@ -28,6 +28,13 @@ def finish(summary):
     sys.exit(bool(problems))
 
 
+def edits(path):
+    """(line number, file, line to replace, new lines) of each C++ block below <!-- instead of LINE in FILE -->: what the reader writes."""
+    text = path.read_text()
+    for match in re.finditer(r"^<!-- instead of (.+) in (\S+) -->\n(?:<!-- .* -->\n)?```cpp\n(.*?)^```", text, re.M | re.S):
+        yield text.count("\n", 0, match.start()) + 1, match[2], match[1], match[3]
+
+
 def blocks(path):
     """(line number of the first line, language, text) of each fenced block."""
     text = path.read_text()
