@@ -43,7 +43,9 @@ BOUNDS = [
 # Exit codes that are no failure.
 CODES = {r"\./raytree learn\b": (0, 1)}  # 1: something is not written yet
 REPLACED = {"--spp", "--size"}  # by the bound, even if the command names them
-NEEDS = {r"\./raytree( view\b|\s*$)": "viewer", r"\./raytree (learn|grade|merge|handout)\b": "grade"}
+GRADER = r"\./raytree (learn|grade|merge|handout)\b"
+NEEDS = {r"\./raytree( view\b|\s*$)": "viewer", GRADER: "grade"}
+NO_SANDBOX = 4  # the grader's exit code; on a machine that is very busy its self-test may end so in between
 SECONDS = 100
 
 
@@ -140,7 +142,9 @@ def check_file(scratch, path, solved, missing):
         code, printed = scratch.run(line, here, SECONDS)
         output += printed
         ran += 1
-        if code is None:
+        if code == NO_SANDBOX and re.search(GRADER, command):
+            ran, left = ran - 1, left + 1
+        elif code is None:
             problem(path, number, f"takes longer than {SECONDS} s; give it a bound in check_commands.py: {command}")
         elif code not in next((codes for pattern, codes in CODES.items() if re.search(pattern, command)), (0,)):
             last = (printed.strip().splitlines() or ["nothing was printed"])[-1]
