@@ -95,17 +95,18 @@ def check_excerpts():
     for path in texts():
         for match in block.finditer(path.read_text()):
             source, excerpt = match.groups()
+            where = f"{name(path)}:{path.read_text().count(chr(10), 0, match.start()) + 1}"
             if source is None:
                 if NOTES in path.parents:
-                    problems.append(f"{name(path)}: a cpp block does not say where it is from: {excerpt.splitlines()[0].strip()}")
+                    problems.append(f"{where}: a cpp block does not say where it is from: {excerpt.splitlines()[0].strip()}")
                 continue
             if not (ROOT / source).is_file():
-                problems.append(f"{name(path)}: an excerpt is from {source}, which does not exist")
+                problems.append(f"{where}: an excerpt is from {source}, which does not exist")
                 continue
             code = re.sub(r"^ *// (SOLUTION|END|EXERCISE)\b.*\n", "", (ROOT / source).read_text(), flags=re.M)
             trimmed = lambda text: "\n" + "\n".join(line.rstrip() for line in text.splitlines()) + "\n"
             if trimmed(excerpt) not in trimmed(code):
-                problems.append(f"{name(path)}: an excerpt does not stand in {source}: {excerpt.splitlines()[0].strip()}")
+                problems.append(f"{where}: an excerpt does not stand in {source}: {excerpt.splitlines()[0].strip()}")
 
 
 def check_links():
@@ -167,7 +168,7 @@ def check_questions():
     for path in (NOTES / f"{lesson.name.replace('_', '-')}.md" for lesson in LESSONS):
         text = path.read_text() if path.exists() else ""
         head, heading, part = text.partition("\n## Questions\n")
-        questions = list(re.finditer(r"^(\d+)\. (?:.*)\n\n(<details><summary>Answer</summary>\n\n(?:.*\n)*?\n?</details>)?", part, re.M))
+        questions = list(re.finditer(r"^(\d+)\. (?:.*)\n\n(<details><summary>Answer</summary>\n\n(?:(?!\d+\. ).*\n)*?</details>)?", part, re.M))
         if len(questions) < 3:
             problems.append(f"{name(path)} has {len(questions)} questions; expected 3 at least, under ## Questions")
         for i, one in enumerate(questions, 1):
