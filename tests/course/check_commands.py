@@ -23,6 +23,7 @@ CANNOT = {
     r"\./raytree test\b": "it runs this check",
     r"git clone |cd raytree$|git pull": "the scratch copy is the clone",
     r"sudo |apt-get ": "changes the machine",
+    r"trade --notes": "writes into the project's own notes, wherever it is called",
     r"sbatch ": "needs a cluster with Slurm",
     r"^tests/grade/recipes/": "tests/grade/recipes/recipes_test.py runs the recipes",
     r"\.ci/run|^cmake |ctest ": "builds and runs everything",
