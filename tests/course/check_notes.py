@@ -95,17 +95,18 @@ def check_excerpts():
     for path in texts():
         for match in block.finditer(path.read_text()):
             source, excerpt = match.groups()
+            where = f"{name(path)}:{path.read_text().count(chr(10), 0, match.start()) + 1}"
             if source is None:
                 if NOTES in path.parents:
-                    problems.append(f"{name(path)}: a cpp block does not say where it is from: {excerpt.splitlines()[0].strip()}")
+                    problems.append(f"{where}: a cpp block does not say where it is from: {excerpt.splitlines()[0].strip()}")
                 continue
             if not (ROOT / source).is_file():
-                problems.append(f"{name(path)}: an excerpt is from {source}, which does not exist")
+                problems.append(f"{where}: an excerpt is from {source}, which does not exist")
                 continue
             code = re.sub(r"^ *// (SOLUTION|END|EXERCISE)\b.*\n", "", (ROOT / source).read_text(), flags=re.M)
             trimmed = lambda text: "\n" + "\n".join(line.rstrip() for line in text.splitlines()) + "\n"
             if trimmed(excerpt) not in trimmed(code):
-                problems.append(f"{name(path)}: an excerpt does not stand in {source}: {excerpt.splitlines()[0].strip()}")
+                problems.append(f"{where}: an excerpt does not stand in {source}: {excerpt.splitlines()[0].strip()}")
 
 
 def check_links():
@@ -121,7 +122,7 @@ def check_links():
 def check_pictures():
     everything = "".join(path.read_text() for path in texts())
     for picture in sorted((NOTES / "pictures").glob("*.*")):
-        if f"pictures/{picture.name}" not in everything:
+        if picture.suffix != ".md" and f"pictures/{picture.name}" not in everything:
             problems.append(f"{name(picture)} is not used in any text")
 
 
@@ -160,6 +161,22 @@ def check_lessons():
             problems.append(f"README.md has no row for {name(lesson)}")
         if not re.search(rf"^\|.*\]\({re.escape(page)}\)", slides, re.M):
             problems.append(f"slides-notes/README.md has no row for slides-notes/{page}")
+
+
+def check_questions():
+    """Each page of notes ends with questions, numbered, each with an answer to unfold."""
+    for path in (NOTES / f"{lesson.name.replace('_', '-')}.md" for lesson in LESSONS):
+        text = path.read_text() if path.exists() else ""
+        head, heading, part = text.partition("\n## Questions\n")
+        questions = list(re.finditer(r"^(\d+)\. (?:.*)\n\n(<details><summary>Answer</summary>\n\n(?:(?!\d+\. ).*\n)*?</details>)?", part, re.M))
+        if len(questions) < 3:
+            problems.append(f"{name(path)} has {len(questions)} questions; expected 3 at least, under ## Questions")
+        for i, one in enumerate(questions, 1):
+            line = head.count("\n") + part.count("\n", 0, one.start()) + 3
+            if not one[2]:
+                problems.append(f"{name(path)}:{line}: question {one[1]} has no answer between <details><summary>Answer</summary> and </details>")
+            if int(one[1]) != i:
+                problems.append(f"{name(path)}:{line}: this is question {i}, not {one[1]}")
 
 
 def check_errata():
@@ -231,7 +248,7 @@ def check_commands():
             check_command(name(path), line, words, options)
 
 
-for check in (check_excerpts, check_links, check_pictures, check_slides, check_lessons, check_errata, check_commands):
+for check in (check_excerpts, check_links, check_pictures, check_slides, check_lessons, check_questions, check_errata, check_commands):
     check()
 for problem in problems:
     print(problem, file=sys.stderr)

@@ -224,7 +224,8 @@ class Handout:
         rows = []
         for row in source("slides-notes/README.md").splitlines(keepends=True):
             page = re.search(r"\((\d\d)-\S+\.md\)", row)
-            if not page or int(page[1]) in self.lessons:
+            outside = row.startswith("Begin with [the first hour]")  # pages that are not in the hand-out
+            if not outside and (not page or int(page[1]) in self.lessons):
                 rows.append(row)
         index = self.text("".join(rows))
         self.add("slides-notes/README.md", re.sub(r"\n\| beyond the slides .*?\n(?=\n)", "", index, flags=re.S))
