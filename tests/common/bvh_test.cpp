@@ -368,6 +368,71 @@ TYPED_TEST(Search, LivesAtTheEndsOfItsType)
     }
 }
 
+/// By the instructions of this processor and by the baseline's. Some scenes have planes, and nothing else.
+TYPED_TEST(Search, AheadFindsWhatIntersectFinds)
+{
+    using Real = TypeParam;
+    if (!looksAhead<Real>)
+    {
+        EXPECT_FALSE(Scene<Real>(SceneDescription{}).wantsLookAhead());
+        return;
+    }
+    int hits = 0, misses = 0;
+    for (int w = 0; w < 200; ++w)
+    {
+        World world(unsigned(w + 1));
+        const double power = w % 4 == 0 ? 5 : 0;
+        world.spheres(w % 17, power);
+        for (int i = 0; i < w % 3; ++i) // coincident ones, too
+            world.scene.planes.push_back({.point = {0, -1, 0}, .normal = i ? Vec3<double>(0, 1, 0) : world.vector(1)});
+        Scene<Real> scene(world.scene);
+        ASSERT_TRUE(scene.wantsLookAhead());
+        for (const auto set : {Instructions::baseline, bestInstructions()})
+        {
+            scene.instructions = set;
+            Ahead<Real> rays[64];
+            for (auto& ahead : rays)
+            {
+                const auto ray = world.ray(scene, power);
+                ahead.O = ray.O;
+                ahead.D = ray.D;
+                if (world.below(8) == 0) ahead.O[world.below(3)] = infinity<Real>;
+                if (world.below(8) == 0) ahead.D[world.below(3)] = std::numeric_limits<Real>::quiet_NaN();
+            }
+            scene.lookAhead(rays, 64);
+            for (const auto& ahead : rays)
+            {
+                const auto hit = scene.intersect({.O = ahead.O, .D = ahead.D});
+                ASSERT_EQ(bool(hit), bool(ahead.hit));
+                ++(hit ? hits : misses);
+                if (hit && hit->t < infinity<Real>) expectSame(*hit, *ahead.hit);
+            }
+        }
+    }
+    EXPECT_GT(hits, 5000);
+    EXPECT_GT(misses, 5000);
+}
+
+TEST(Search, AheadIsForgottenForAnotherRay)
+{
+    SceneDescription description;
+    description.materials.push_back({});
+    description.spheres.push_back({{0, 0, -5}, 1, 0});
+    const Scene<double> scene(description);
+    Ahead<double> rays[4];
+    for (auto& ahead : rays) ahead.D = {0, 0, -1};
+    scene.lookAhead(rays, 4);
+    ASSERT_TRUE(rays[0].hit);
+    rays[0].hit->t = 77; // to see who answers
+    Ray<double> ray{.D = {0, 0, -1}, .ahead = rays};
+    EXPECT_EQ(scene.intersect(ray)->t, 77);
+    ray.D.x = -0.0;
+    EXPECT_EQ(scene.intersect(ray)->t, 4);
+    ray = {.O = {0, 0.5, 0}, .D = {0, 0, -1}, .ahead = rays};
+    EXPECT_LT(scene.intersect(ray)->t, 5);
+    EXPECT_EQ(ray.spawn(reflected, rays[0].hit->I, {0, 0, -1}).ahead, nullptr);
+}
+
 TEST(Search, OfManySpheresTakesLessThan200BytesEach)
 {
     std::mt19937 engine(1);
