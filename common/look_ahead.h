@@ -72,9 +72,11 @@ private:
         if (!bitsOf(discriminant >= 0)) return false;
         const Lanes c = x * x + y * y + z * z - squaredRadius;
         Real roots[lanes]; // NaN where there is none: that is neither > 0 nor nearer
-        for (int k = 0; k < lanes; ++k) roots[k] = std::copysign(std::sqrt(discriminant[k]), b[k]);
+        std::memcpy(roots, &discriminant, sizeof roots);
+        for (int k = 0; k < lanes; ++k) roots[k] = std::sqrt(roots[k]);
         Lanes root;
         std::memcpy(&root, roots, sizeof root);
+        root = Ids(b) < 0 ? -root : root; // b's sign bit: that of -0, too
         const Lanes q = -(b + root), other = c / q;
         const Lanes t1 = other < q ? other : q, t2 = q < other ? other : q;
         t = t1 > 0 ? t1 : t2;
