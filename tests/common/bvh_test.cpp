@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/pixel.h"
 #include "common/scene.h"
 #include "tests/common/random_scene.h"
 
@@ -431,6 +432,48 @@ TEST(Search, AheadIsForgottenForAnotherRay)
     ray = {.O = {0, 0.5, 0}, .D = {0, 0, -1}, .ahead = rays};
     EXPECT_LT(scene.intersect(ray)->t, 5);
     EXPECT_EQ(ray.spawn(reflected, rays[0].hit->I, {0, 0, -1}).ahead, nullptr);
+}
+
+/// Sees where its rays arrive; some pixels are given up half-way.
+struct Sight
+{
+    const Scene<double>& scene;
+    int calls = 0;
+
+    Vec3<double> trace(const Ray<double>& ray)
+    {
+        if (ray.D.x > 0.2 && ray.D.y < -0.1 && ++calls % 3 == 2 && calls > 0) throw NotAttempted("x");
+        const auto hit = scene.intersect(ray);
+        return hit ? Vec3<double>(hit->I) + 3.0 : ray.D;
+    }
+};
+
+TEST(Search, AheadLeavesPixelsAsTheyAre)
+{
+    World world(3);
+    world.spheres(16, 0);
+    world.scene.planes.push_back({.point = {0, -1, 0}, .normal = {0, 1, 0}});
+    world.scene.camera = {.eye = {0, 0, 3}, .target = {0, 0, 0}, .width = 75, .height = 41};
+    const Scene<double> scene(world.scene);
+    ASSERT_TRUE(scene.wantsLookAhead());
+    for (const int spp : {1, 3, 7})
+    {
+        Image image(75, 41);
+        for (int tile = 0; tile < tilesOf(image); ++tile) renderTile<Sight>(image, tile, scene, spp);
+        int same = 0, givenUp = 0;
+        for (int y = 0; y < 41; ++y)
+            for (int x = 0; x < 75; ++x)
+            {
+                Sight sight{scene, -1000000000};
+                if (image.at(x, y) == magenta)
+                    ++givenUp;
+                else if (image.at(x, y) == renderPixel(scene, sight, x, y, spp))
+                    ++same;
+            }
+        EXPECT_EQ(same + givenUp, 75 * 41) << spp;
+        EXPECT_GT(givenUp, 20);
+        EXPECT_GT(same, 1000);
+    }
 }
 
 TEST(Search, OfManySpheresTakesLessThan200BytesEach)
