@@ -22,23 +22,88 @@ std::array<Real, 2> samplePosition(int index)
     return {fraction(Real(0.75487766624669276005L)), fraction(Real(0.56984029099805326591L))};
 }
 
-/// The colour of pixel (px, py): the mean of its samples.
+/// The ray of sample `index` of pixel (px, py).
+template <std::floating_point Real>
+Ray<Real> sampleRay(const Scene<Real>& scene, int px, int py, int index)
+{
+    const auto [x, y] = samplePosition<Real>(index);
+    return scene.camera.ray(Real(px) + x, Real(py) + y);
+}
+
+/// The colour of pixel (px, py): the mean of its samples, whose rays are rayOf(px, py, index).
+template <std::floating_point Real, class Tracer, class RayOf>
+Vec3<Real> renderSamples(Tracer& tracer, int px, int py, int spp, RayOf&& rayOf)
+{
+    Vec3<Real> sum(0);
+    for (int i = 0; i < spp; ++i) sum += tracer.trace(rayOf(px, py, i));
+    return spp == 1 ? sum : sum / Real(spp);
+}
+
+/// The same, for one pixel alone.
 template <class Tracer, std::floating_point Real>
 Vec3<Real> renderPixel(const Scene<Real>& scene, Tracer& tracer, int px, int py, int spp)
 {
-    Vec3<Real> sum(0);
-    for (int i = 0; i < spp; ++i)
-    {
-        const auto [x, y] = samplePosition<Real>(i);
-        sum += tracer.trace(scene.camera.ray(Real(px) + x, Real(py) + y));
-    }
-    return spp == 1 ? sum : sum / Real(spp);
+    return renderSamples<Real>(tracer, px, py, spp, [&](int x, int y, int i) { return sampleRay(scene, x, y, i); });
 }
 
 /// Pictures are rendered in squares, row by row from the top left; each one has a tracer of its own.
 inline constexpr int tileSide = 32;
 
-/// How many there are.
+/// The rays of a tile's samples. If these are asked for one after the other, what they meet is found for as many at once as a
+/// row has, where that is worth it.
+template <std::floating_point Real>
+class TileRays
+{
+public:
+    TileRays(const Scene<Real>& s, int l, int r, int samples, bool inOrder)
+        : scene(s), left(l), right(r), spp(samples), looks(inOrder && s.wantsLookAhead())
+    {
+    }
+
+    /// The next in order, or any one after restart().
+    Ray<Real> operator()(int px, int py, int index)
+    {
+        if (looks && next == most) fill(px, py, index);
+        if (!looks) return sampleRay(scene, px, py, index);
+        const auto& ahead = found[next++];
+        return {.O = ahead.O, .D = ahead.D, .ahead = &ahead};
+    }
+
+    void restart() { next = most; }
+
+private:
+    void fill(int px, int py, int index)
+    {
+        for (auto& ahead : found)
+        {
+            const auto ray = sampleRay(scene, px, py, index);
+            ahead.O = ray.O;
+            ahead.D = ray.D;
+            if (++index < spp) continue;
+            index = 0;
+            if (++px == right) px = left, ++py; // nobody asks for those below the tile
+        }
+        next = 0;
+        try
+        {
+            scene.lookAhead(found, most);
+        }
+        catch (const NotAttempted&)
+        {
+            looks = false; // in exercise 01, which has formulas of its own
+        }
+    }
+
+    static constexpr int most = tileSide;
+
+    const Scene<Real>& scene;
+    int left, right, spp;
+    bool looks;
+    int next = most;
+    Ahead<Real> found[most];
+};
+
+/// How many tiles there are.
 inline int tilesOf(const Image& image)
 {
     return ((image.width + tileSide - 1) / tileSide) * ((image.height + tileSide - 1) / tileSide);
@@ -50,6 +115,7 @@ struct Pass
     int every = 1;
     int traced = 0; ///< a multiple of `every`; 0: there was no earlier pass
 
+    bool isWhole() const { return every == 1 && !traced; }
     bool had(int x, int y) const { return traced && x % traced == 0 && y % traced == 0; }
     int firstFrom(int start) const { return (start + every - 1) / every * every; }
 };
@@ -62,16 +128,19 @@ void renderTile(Image& image, int tile, const Scene<Real>& scene, int spp, const
     Tracer tracer{scene};
     const int columns = (image.width + tileSide - 1) / tileSide;
     const int left = tile % columns * tileSide, top = tile / columns * tileSide;
-    for (int y = pass.firstFrom(top); y < std::min(top + tileSide, image.height); y += pass.every)
-        for (int x = pass.firstFrom(left); x < std::min(left + tileSide, image.width); x += pass.every) try
+    const int right = std::min(left + tileSide, image.width), bottom = std::min(top + tileSide, image.height);
+    TileRays<Real> rays(scene, left, right, spp, pass.isWhole());
+    for (int y = pass.firstFrom(top); y < bottom; y += pass.every)
+        for (int x = pass.firstFrom(left); x < right; x += pass.every) try
             {
                 if (pass.had(x, y)) continue;
                 if (stop && *stop) return;
-                image.at(x, y) = Vec3<double>(renderPixel(scene, tracer, x, y, spp));
+                image.at(x, y) = Vec3<double>(renderSamples<Real>(tracer, x, y, spp, rays));
             }
             catch (const NotAttempted&)
             {
                 image.at(x, y) = magenta;
+                rays.restart();
             }
 }
 

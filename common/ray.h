@@ -29,6 +29,9 @@ struct Point : Vec3<Real>
     Real albedo = 1; ///< largest channel of the surface's colour
 };
 
+template <std::floating_point Real>
+struct Ahead;
+
 /// P(t) = O + t D for t > 0.
 template <std::floating_point Real>
 struct Ray
@@ -40,6 +43,8 @@ struct Ray
     Real weight = 1;                ///< its share of what its parent returns, in [0, 1]
     Real energy = 1;                ///< largest channel of the throughput from here to the pixel
     PrimitiveId from = noPrimitive; ///< the primitive that O lies on
+
+    const Ahead<Real>* ahead = nullptr; ///< look_ahead.h: what was found for it already
 
     /// The next ray of the tree: starts at I, one level deeper, and brings `nextWeight` of its parent's colour, tinted by
     /// the colour of the surface. `direction` need not have unit length.

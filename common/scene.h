@@ -9,6 +9,7 @@
 #include "common/camera.h"
 #include "common/hit.h"
 #include "common/light.h"
+#include "common/look_ahead.h"
 #include "common/scene_description.h"
 #include "common/sky.h"
 #include "common/sphere_search.h"
@@ -41,6 +42,8 @@ public:
     template <class Formulas = Shapes<Real>>
     [[gnu::always_inline]] std::optional<Hit<Real>> intersect(const Ray<Real>& ray, const Formulas& shapes = {}) const
     {
+        if constexpr (looksAhead<Real> && std::is_same_v<Formulas, Shapes<Real>>)
+            if (ray.ahead && ray.ahead->isFor(ray)) return ray.ahead->hit;
 #if RAYTREE_HAS_AVX2
         if constexpr (hasLanes<Real> && std::is_same_v<Formulas, Shapes<Real>>)
             if (instructions == Instructions::avx2) return intersectAvx2(ray);
@@ -70,6 +73,23 @@ public:
         return tintBetween(I, L, distance);
     }
 
+    /// Does lookAhead take less time than to intersect one by one? If all is scanned.
+    bool wantsLookAhead() const
+    {
+        return looksAhead<Real> && spheres.size() <= SphereSearch<Real>::mostScanned && triangles.empty();
+    }
+
+    /// Sets `hit` of `count` rays, a multiple of four, that leave no primitive.
+    void lookAhead(Ahead<Real>* rays, int count) const
+    {
+        if constexpr (!looksAhead<Real>) return;
+#if RAYTREE_HAS_AVX2
+        if constexpr (hasLanes<Real>)
+            if (instructions == Instructions::avx2) return lookAheadAvx2(rays, count);
+#endif
+        lookAheadWith<Instructions::baseline>(rays, count);
+    }
+
     /// "sphere0", "plane1", "triangle2": kind, and order in the file among its kind; "mesh0.triangle12" in a mesh.
     std::string primitiveName(PrimitiveId id) const;
 
@@ -77,10 +97,17 @@ private:
     template <Instructions set, class Formulas>
     std::optional<Hit<Real>> intersectWith(const Ray<Real>& ray, const Formulas& shapes) const;
 
+    template <Instructions set>
+    void lookAheadWith(Ahead<Real>* rays, int count) const;
+
     template <Instructions set, class Formulas>
     bool occludedWith(const Point<Real>& I, const Vec3<Real>& L, Real distance, const Formulas& shapes) const;
 
 #if RAYTREE_HAS_AVX2
+    RAYTREE_AVX2 void lookAheadAvx2(Ahead<Real>* rays, int count) const
+    {
+        lookAheadWith<Instructions::avx2>(rays, count);
+    }
     RAYTREE_AVX2 std::optional<Hit<Real>> intersectAvx2(const Ray<Real>& ray) const
     {
         return intersectWith<Instructions::avx2>(ray, Shapes<Real>{});
@@ -280,6 +307,28 @@ std::optional<Hit<Real>> Scene<Real>::intersectWith(const Ray<Real>& ray, const 
     });
     if (id == noPrimitive) return std::nullopt;
     return hitAt(ray, nearest, id);
+}
+
+template <std::floating_point Real>
+template <Instructions set>
+void Scene<Real>::lookAheadWith(Ahead<Real>* rays, int count) const
+{
+    if constexpr (looksAhead<Real>)
+        for (int first = 0; first < count; first += LaneRays<Real, set>::lanes)
+        {
+            LaneRays<Real, set> group(rays + first);
+            PrimitiveId id = 0;
+            for (const auto& sphere : spheres) group.meet(sphere, id++);
+            for (const auto& plane : planes) group.meet(plane, id++);
+            for (int k = 0; k < group.lanes; ++k)
+            {
+                auto& ahead = rays[first + k];
+                if (group.id[k] == noPrimitive)
+                    ahead.hit.reset();
+                else
+                    ahead.hit.emplace(hitAt({.O = ahead.O, .D = ahead.D}, group.nearest[k], PrimitiveId(group.id[k])));
+            }
+        }
 }
 
 template <std::floating_point Real>

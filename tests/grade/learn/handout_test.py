@@ -23,7 +23,7 @@ sys.dont_write_bytecode = True
 import make_exercises  # noqa: E402
 
 LAST = 8
-CORE = ("common/shapes.h", "common/sky.h", "common/sphere_search.h")
+CORE = ("common/shapes.h", "common/sky.h", "common/sphere_search.h", "common/look_ahead.h")
 
 
 def pack(out, *options, root=ROOT):
