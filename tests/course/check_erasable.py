@@ -21,8 +21,7 @@ def machine_code(compiler, header, folder, number):
     # Lesson 10's Tracer is also given its world: here the scene, which starts rays at the points themselves.
     world = "struct World : rt::Scene<Real> { static constexpr bool wrongAngle = false; static const auto& leave(const auto& I, const auto&) { return I; } static Real schlickWithIncidentAngle(Real, Real, Real) { return 0; } };"
     head = f"template <class Real> {world}\n" if number == "10" else ""
-    # The scene's own functions are no lesson's: they need not be compiled again and again.
-    unit.write_text(f'#include "{header}"\n{head}' + "extern template class rt::Scene<float>;\nextern template class rt::Scene<double>;\n" + "".join(
+    unit.write_text(f'#include "{header}"\n{head}' + "".join(
         f"template struct rt::lesson{number}::Tracer<{real}{f', World<{real}>' if head else ''}>;\n" for real in ("float", "double")))
     subprocess.run([compiler, "-std=c++20", "-O2", "-ffp-contract=off", f"-I{ROOT}", "-c", str(unit), "-o", str(folder / "unit.o")], check=True)
     listing = subprocess.run(["objdump", "-d", "--no-show-raw-insn", str(folder / "unit.o")], check=True, capture_output=True, text=True).stdout

@@ -46,7 +46,7 @@ def compile_formulas(folder):
     include.mkdir()
     (include / "glm").symlink_to(find_glm()) # not /usr/include itself: it holds headers of another machine
     module = pathlib.Path(folder, "formulas.wasm")
-    command = [find_clang(), "--target=wasm32-wasi", "-std=c++20", "-Oz", "-DNDEBUG", "-flto", "-fignore-exceptions", "-ffunction-sections",
+    command = [find_clang(), "--target=wasm32-wasi", "-std=c++20", "-Oz", "-DNDEBUG", "-DRAYTREE_HEADERS_ONLY", "-flto", "-fignore-exceptions", "-ffunction-sections",
                "-ffp-contract=off", "-I", str(ROOT), "-isystem", str(include), "-isystem", str(HERE / "include"),
                "-mexec-model=reactor", "-Wl,--gc-sections,--strip-all,--lto-O2", *[f"-Wl,--export={name}" for name in EXPORTS],
                str(HERE / "formulas.cpp"), str(HERE / "no_throw.cpp"), "-o", str(module)]

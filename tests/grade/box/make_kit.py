@@ -22,8 +22,8 @@ FILL = "-ftrivial-auto-var-init=pattern"  # of ours; a precompiled header serves
 # Lesson 01's recorder asks what blocks a shadow ray; a mark thrown there would look like the student's.
 BODIES = {"01-sphere": "return {};", "01-plane": "return {};"}
 # One machine for all: no -march. Whoever nests templates deeper than this, or lets the compiler compute longer, exhausts it.
-FLAGS = ["-std=c++20", "-O1", "-DRAYTREE_ONE_THREAD", "-ffp-contract=off", "-fno-lto", "-fno-diagnostics-show-caret", "-fdiagnostics-color=never",
-         "-fmax-errors=20", "-ftemplate-depth=200", "-fconstexpr-depth=256", "-fconstexpr-ops-limit=10000000",
+FLAGS = ["-std=c++20", "-O1", "-DRAYTREE_HEADERS_ONLY", "-ffp-contract=off", "-fno-lto", "-fno-diagnostics-show-caret",
+         "-fdiagnostics-color=never", "-fmax-errors=20", "-ftemplate-depth=200", "-fconstexpr-depth=256", "-fconstexpr-ops-limit=10000000",
          "-fconstexpr-loop-limit=1000000", "-ftemplate-backtrace-limit=4", "-w", "-pipe"]
 
 

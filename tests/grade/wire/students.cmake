@@ -4,7 +4,7 @@ target_link_libraries(raytree_grade PRIVATE tomlplusplus::tomlplusplus)
 add_library(grade_runner OBJECT wire/runner.student.cpp)
 target_precompile_headers(grade_runner PRIVATE wire/student.h)
 target_compile_options(grade_runner PRIVATE -O1)
-target_compile_definitions(grade_runner PRIVATE RAYTREE_ONE_THREAD) # there is no oneTBB to link statically
+target_compile_definitions(grade_runner PRIVATE RAYTREE_HEADERS_ONLY) # no oneTBB to link statically
 target_link_libraries(grade_runner PRIVATE raytree_core)
 
 # What stands in the folder `students` of the build.
@@ -14,7 +14,7 @@ function(grade_student name)
     RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/students)
   target_precompile_headers(grade_student_${name} REUSE_FROM grade_runner)
   target_compile_options(grade_student_${name} PRIVATE -O1)
-  target_compile_definitions(grade_student_${name} PRIVATE RAYTREE_ONE_THREAD)
+  target_compile_definitions(grade_student_${name} PRIVATE RAYTREE_HEADERS_ONLY)
   target_link_libraries(grade_student_${name} PRIVATE raytree_core)
   if(NOT CMAKE_CXX_FLAGS MATCHES "fsanitize") # sanitizers need their library
     target_link_options(grade_student_${name} PRIVATE -static)
