@@ -49,7 +49,7 @@ class Renderer:
 
     def blocks(self, tokens):
         out = []
-        tokens = self.answers(self.figures(tokens))
+        tokens = self.figures(tokens)
         for place, token in enumerate(tokens):
             if token.type == "heading_open":
                 self.heading(token, tokens[place + 1])
@@ -114,21 +114,6 @@ class Renderer:
         return (f'<figure class="picture{wide}">{self.page.image(address, words)}'
                 f'<figcaption aria-hidden="true">{html.escape(words)}</figcaption></figure>\n')
 
-    def answers(self, tokens):
-        """Under the heading "Questions" the emphasised end of each item is its answer, and is folded."""
-        result, heading = [], ""
-        for place, token in enumerate(tokens):
-            if token.type == "inline" and tokens[place - 1].type == "heading_open":
-                heading = plain(token)
-            children = token.children or []
-            if heading == "Questions" and token.type == "inline" and children and children[-1].type == "em_close":
-                start = max(i for i, child in enumerate(children) if child.type == "em_open" and child.level == 0)
-                question, answer = self.inlines(children[:start]), self.inlines(children[start + 1:-1])
-                result.append(raw(f'{question.strip()}<details class="answer"><summary>Answer</summary><p>{answer}</p></details>'))
-            else:
-                result.append(token)
-        return result
-
     def image(self, token):
         return self.page.image(self.page.picture_at(token.attrs["src"], self.where), plain(token))
 
@@ -165,7 +150,7 @@ class Renderer:
     def html_block(self, token):
         found = directives.parse(token.content)
         if not found:
-            return "" if token.content.startswith("<!--") else token.content
+            return "" if token.content.startswith("<!--") else token.content.replace("<details>", '<details class="answer">')
         name, argument = found
         if name == "from":
             self.source = argument

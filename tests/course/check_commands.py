@@ -23,6 +23,8 @@ CANNOT = {
     r"\./raytree test\b": "it runs this check",
     r"git clone |cd raytree$|git pull": "the scratch copy is the clone",
     r"sudo |apt-get ": "changes the machine",
+    r"\./raytree notes": "tests/course/site_test.py builds the site",
+    r"\./raytree bench": "tests/perf/check_bench.py measures",
     r"trade --notes": "writes into the project's own notes, wherever it is called",
     r"sbatch ": "needs a cluster with Slurm",
     r"^tests/grade/recipes/": "tests/grade/recipes/recipes_test.py runs the recipes",

@@ -3,7 +3,7 @@
 
 Compared is how often each function has each instruction, whatever its operands: in lessons 05 to 07 g++ 12 swaps two stack
 slots, or the two factors of a product. The scene's functions are in sight, as in the grader's kits: where they are not, g++ 12
-uses one register more in one function each of lessons 03 and 07, of the lesson without the lines.
+fills a gap in lesson 03 with other instructions of no effect, and moves one register more in lesson 07, without the lines.
 
     check_erasable.py COMPILER
 """

@@ -12,16 +12,16 @@ from scratch import BIN, Scratch
 from texts import NOTES, finish, problem
 
 TABLE = NOTES / "pictures/README.md"
-FEWER = 32      # paths for a pixel, where the picture has up to 4096
+FEWER = 32      # paths for a pixel, where the picture has up to 4096; a row may say more
 SQUARE = 20     # pixels; the mean over 400 of them has a twentieth of a pixel's noise
-MOST_NOISE = 24  # of 255, the largest difference of two such means: 32 paths find a caustic by luck. Seen: up to 12
+MOST_NOISE = 24  # of 255, the largest difference of two such means. Seen: up to 12.5, with 256 paths in a caustic, which few paths find
 MOST_EDGES = 0.02  # of a window's pixels may differ by more than 32 of 255: text and lines, smoothed by another driver. Seen: 0.001
 
 
 def rows():
-    """(line number, picture, command, way of comparing)."""
+    """(line number, picture, command, way of comparing, paths or None)."""
     for number, line in enumerate(TABLE.read_text().splitlines(), 1):
-        if match := re.fullmatch(r"\| (\S+\.(?:png|svg)) \| `([^`]+)` \| (\w+) \|", line):
+        if match := re.fullmatch(r"\| (\S+\.(?:png|svg)) \| `([^`]+)` \| (\w+)(?: (\d+))? \|", line):
             yield number, *match.groups()
 
 
@@ -54,7 +54,7 @@ def difference(made, stored, way):
     return None
 
 
-def check(scratch, number, picture, command, way):
+def check(scratch, number, picture, command, way, paths):
     """True if the picture was made again."""
     stored = NOTES / "pictures" / picture
     if not stored.exists():
@@ -66,7 +66,7 @@ def check(scratch, number, picture, command, way):
         problem(TABLE, number, f"{picture}: compared how? '{way}' is none of equal, samples, window, timings")
         return False
     here = scratch.clone(picture)
-    code, output = scratch.run(re.sub(r"--spp \d+", f"--spp {FEWER}", command) if way == "samples" else command, here)
+    code, output = scratch.run(re.sub(r"--spp \d+", f"--spp {paths or FEWER}", command) if way == "samples" else command, here)
     made = here / re.sub(r"^00_", "", picture) if (here / re.sub(r"^00_", "", picture)).exists() else here / picture
     if code or not made.exists():
         problem(TABLE, number, f"'{command}' does not make {picture}: {(output.strip().splitlines() or ['no output'])[-1]}")

@@ -342,7 +342,7 @@ def main():
         subprocess.run([sys.executable, str(WIDGETS / "build.py"), str(folder / "widgets")], check=True)
         size = (folder / "widgets/widgets.js").stat().st_size
         print(f"widgets.js has {size} bytes")
-        check(size < 150_000, f"widgets.js has {size} bytes")
+        check(size < 180_000, f"widgets.js has {size} bytes")  # 160 kB; a page on a phone should not wait for more
         b = Browser(folder)
         try:
             check_closed_forms(sys.argv[1])

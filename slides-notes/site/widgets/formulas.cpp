@@ -72,7 +72,7 @@ vec3 floorColor(double s, const vec3& paint, const vec3& lamp, const vec3& sky)
     SceneDescription description;
     description.sky.present = true;
     description.sky.color = sky;
-    description.materials.push_back({.color = paint, .mirror = s});
+    description.materials.push_back({.name = {}, .color = paint, .mirror = s});
     description.planes.push_back({});
     description.lights.push_back({vec3(0, 1, 0), lamp});
     const Scene<double> scene(description);
@@ -99,7 +99,7 @@ int countFullTree(const Ray<double>& ray, int maxDepth)
 
 double shade(double exponent, double glossy, double lightAngle, double eyeAngle)
 {
-    const Material<double> mat{.glossy = glossy, .exponent = exponent};
+    const Material<double> mat{.name = {}, .glossy = glossy, .exponent = exponent};
     return lesson08::Tracer<double>::phong(direction(lightAngle), vec3(0, 1, 0), direction(eyeAngle), mat);
 }
 
@@ -209,7 +209,7 @@ void cap(double maxDepth, double s, double lamp)
 {
     SceneDescription description;
     description.trace.maxDepth = int(maxDepth);
-    description.materials.push_back({.mirror = s});
+    description.materials.push_back({.name = {}, .mirror = s});
     description.planes.push_back({.point = vec3(0, -1, 0), .normal = vec3(0, 1, 0)});
     description.planes.push_back({.point = vec3(0, 1, 0), .normal = vec3(0, -1, 0)});
     description.lights.push_back({vec3(0), vec3(lamp)}); // at distance 1 from where each ray arrives
