@@ -108,20 +108,20 @@ def goals(rows):
 def page(rows, options, machine, folder):
     text = f"Measured on: {machine}. Pictures of {options.size} pixels, depth 8, {options.rounds} interleaved rounds, medians"
     text += "; **quick, so rough**.\n\n" if options.quick else ".\n\n"
-    text += "### Goals\n\n" + table(["goal", "measured", "met"], goals(rows))
-    text += "\n### Whole pictures\n\n" + pictures_text(rows["pictures"])
+    text += "## Goals\n\n" + table(["goal", "measured", "met"], goals(rows))
+    text += "\n## Whole pictures\n\n" + pictures_text(rows["pictures"])
     if "instructions" in rows:
         found = rows["instructions"]
         scenes, names = in_order(r["scene"] for r in found), in_order(r["who"] for r in found)
-        text += "\n### Instructions a ray\n\nBy callgrind, one thread; two sizes, of which the difference leaves out start-up and building.\n\n"
+        text += "\n## Instructions a ray\n\nBy callgrind, one thread; two sizes, of which the difference leaves out start-up and building.\n\n"
         text += table(["", *scenes], [[n, *(cell(one(found, scene=s, who=n), "instructions_a_ray") for s in scenes)] for n in names])
     if "parts" in rows:
         found = rows["parts"]
         reals = [real for real in ("float", "double", "long-double") if only(found, real=real)]
-        text += "\n### Parts\n\nNanoseconds of CPU time a call. Box: one box in scalar code, as in textbooks; node: a tree of eight spheres.\n\n"
+        text += "\n## Parts\n\nNanoseconds of CPU time a call. Box: one box in scalar code, as in textbooks; node: a tree of eight spheres.\n\n"
         text += table(["part", "scene", *reals],
                       [[part, scene, *(cell(one(found, part=part, scene=scene, real=real), "cpu_ns") for real in reals)]
                        for part in PARTS for scene in sorted({r["scene"] for r in only(found, part=part)})])
     if "growth" in rows:
-        text += "\n### Growth\n\nIn double. Plots have two logarithmic axes.\n\n" + growth_text(rows["growth"], folder, plots(rows))
+        text += "\n## Growth\n\nIn double. Plots have two logarithmic axes.\n\n" + growth_text(rows["growth"], folder, plots(rows))
     return text
