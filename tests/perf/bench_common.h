@@ -1,6 +1,7 @@
 // What the measuring programs share: which scene, how large, and the line of JSON they end with.
 #pragma once
 
+#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,8 @@ namespace rt::perf
 
 struct SceneOptions
 {
-    std::string scene, size;
-    int depth = -1, lights = 0;
+    std::string scene, size, out;
+    int depth = -1, lights = 0, repeat = 1;
 };
 
 inline void addSceneOptions(CLI::App& app, SceneOptions& options)
@@ -26,6 +27,10 @@ inline void addSceneOptions(CLI::App& app, SceneOptions& options)
     app.add_option("--lights", options.lights, "this many lights; default: the scene's")
         ->check(CLI::Range(1, 4096))
         ->type_name("N");
+    app.add_option("--repeat", options.repeat, "pictures that are measured")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    app.add_option("--out", options.out, "write the picture: linear if .exr")->type_name("FILE");
 }
 
 inline SceneDescription loadScene(const SceneOptions& options)
@@ -75,5 +80,20 @@ double allocatedBytes();
 
 /// One line of JSON.
 std::string json(const SceneDescription& scene, const Measured& measured);
+
+/// A measuring program: options, scene, measure(scene), its line of JSON.
+template <class Measure>
+int runBench(CLI::App& app, int argc, char** argv, const SceneOptions& options, const Measure& measure)
+{
+    return runMain(app, argc, argv, [&] {
+        if (!options.out.empty()) checkWritable(options.out);
+        const auto scene = loadScene(options);
+        watchInterrupt();
+        const Measured measured = measure(scene);
+        if (interrupted()) return int(exitInterrupted);
+        std::puts(json(scene, measured).c_str());
+        return int(exitDone);
+    });
+}
 
 } // namespace rt::perf

@@ -2,7 +2,6 @@
 // of the course. It uses Embree's hits and our scene description; the formulas are those of lesson 06, in float, which is
 // all that Embree has. Spheres and planes only, the policies of s1 to s6 only.
 #include <chrono>
-#include <iostream>
 
 #include <embree3/rtcore.h>
 
@@ -165,13 +164,7 @@ RTCScene embreeScene(RTCDevice device, const Scene<float>& scene)
     return all;
 }
 
-struct Options : SceneOptions
-{
-    std::string out;
-    int repeat = 1;
-};
-
-Measured measure(const SceneDescription& description, const Options& options)
+Measured measure(const SceneDescription& description, const SceneOptions& options)
 {
     if (!description.triangles.empty() || !description.meshes.empty())
         throw SceneError(description.file + ": expected spheres and planes only");
@@ -210,19 +203,7 @@ Measured measure(const SceneDescription& description, const Options& options)
 int main(int argc, char** argv)
 {
     CLI::App app("Measures one picture with Embree's sphere geometry; prints one line of JSON.", "bench_embree");
-    Options options;
+    SceneOptions options;
     addSceneOptions(app, options);
-    app.add_option("--repeat", options.repeat, "pictures that are measured")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
-    app.add_option("--out", options.out, "write the picture: linear if .exr")->type_name("FILE");
-    return runMain(app, argc, argv, [&] {
-        if (!options.out.empty()) checkWritable(options.out);
-        const auto scene = loadScene(options);
-        watchInterrupt();
-        const auto measured = measure(scene, options);
-        if (interrupted()) return int(exitInterrupted);
-        std::cout << json(scene, measured) << '\n';
-        return int(exitDone);
-    });
+    return runBench(app, argc, argv, options, [&](const SceneDescription& scene) { return measure(scene, options); });
 }

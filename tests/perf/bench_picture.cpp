@@ -1,7 +1,6 @@
 // Whole pictures with lesson 08's tracer: rays by kind, seconds, bytes, as one line of JSON. One call is one turn of an
 // interleaved comparison, which ./raytree bench makes.
 #include <chrono>
-#include <iostream>
 
 #include "bench_common.h"
 #include "common/render.h"
@@ -27,8 +26,8 @@ struct RayCounter : NoRecorder
 
 struct Options : SceneOptions
 {
-    std::string real = "double", instructions = "best", out;
-    int threads = 1, repeat = 1;
+    std::string real = "double", instructions = "best";
+    int threads = 1;
     bool count = false;
 };
 
@@ -86,20 +85,10 @@ int main(int argc, char** argv)
         ->check(CLI::IsMember({"baseline", "best"}))
         ->capture_default_str();
     app.add_option("--threads", options.threads, "threads")->check(CLI::Range(1, 1024))->capture_default_str();
-    app.add_option("--repeat", options.repeat, "pictures that are measured")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
     app.add_flag("--count", options.count, "count rays, in one more picture that is not measured");
-    app.add_option("--out", options.out, "write the picture: linear if .exr")->type_name("FILE");
-    return runMain(app, argc, argv, [&] {
-        if (!options.out.empty()) checkWritable(options.out);
-        const auto scene = loadScene(options);
-        watchInterrupt();
-        const auto measured = options.real == "float"    ? measure<float>(scene, options)
-                              : options.real == "double" ? measure<double>(scene, options)
-                                                         : measure<long double>(scene, options);
-        if (interrupted()) return int(exitInterrupted);
-        std::cout << json(scene, measured) << '\n';
-        return int(exitDone);
+    return runBench(app, argc, argv, options, [&](const SceneDescription& scene) {
+        return options.real == "float"    ? measure<float>(scene, options)
+               : options.real == "double" ? measure<double>(scene, options)
+                                          : measure<long double>(scene, options);
     });
 }

@@ -3,8 +3,7 @@ widget("fresnel", {
   label: "How much is reflected",
   view: [320, 262],
   sliders: [
-    { id: "angle", label: "angle of incidence \u03b8\u2081", unit: "\u00b0", min: 0, max: 90, step: 0.5, value: 60, places: 1 },
-    index("n1", "n\u2081, where the light comes from", 1), index("n2", "n\u2082, behind", 1.5),
+    incidence(90, 60), index("n1", "n\u2081, where the light comes from", 1), index("n2", "n\u2082, behind", 1.5),
   ],
   numbers: [
     { id: "Fr", label: "F<sub>r</sub>, reflected", places: 4 }, { id: "Ft", label: "F<sub>t</sub> = 1 \u2212 F<sub>r</sub>", places: 4 },

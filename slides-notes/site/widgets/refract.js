@@ -1,4 +1,5 @@
 // Lesson 05: Snell's law, and what happens where it has no answer.
+const incidence = (max, value) => ({ id: "angle", label: "angle of incidence \u03b8\u2081", unit: "\u00b0", min: 0, max, step: 0.5, value, places: 1 });
 const index = (id, label, value) => ({ id, label, min: 1, max: 2.5, step: 0.01, value, places: 2 });
 
 // Two media, a boundary and its normal. The denser one is darker.
@@ -17,8 +18,7 @@ widget("refract", {
   label: "The transmitted vector",
   view: [320, 250],
   sliders: [
-    { id: "angle", label: "angle of incidence \u03b8\u2081", unit: "\u00b0", min: 0, max: 89, step: 0.5, value: 45, places: 1 },
-    index("n1", "n\u2081, where D travels", 1), index("n2", "n\u2082, behind", 1.5),
+    incidence(89, 45), index("n1", "n\u2081, where D travels", 1), index("n2", "n\u2082, behind", 1.5),
   ],
   numbers: [
     { id: "k", label: "k = cos\u00b2\u03b8\u2082" }, { id: "angle2", label: "\u03b8\u2082" },
