@@ -27,10 +27,6 @@ inline void addSceneOptions(CLI::App& app, SceneOptions& options)
     app.add_option("--lights", options.lights, "this many lights; default: the scene's")
         ->check(CLI::Range(1, 4096))
         ->type_name("N");
-    app.add_option("--repeat", options.repeat, "pictures that are measured")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
-    app.add_option("--out", options.out, "write the picture: linear if .exr")->type_name("FILE");
 }
 
 inline SceneDescription loadScene(const SceneOptions& options)
@@ -83,8 +79,13 @@ std::string json(const SceneDescription& scene, const Measured& measured);
 
 /// A measuring program: options, scene, measure(scene), its line of JSON.
 template <class Measure>
-int runBench(CLI::App& app, int argc, char** argv, const SceneOptions& options, const Measure& measure)
+int runBench(CLI::App& app, int argc, char** argv, SceneOptions& options, const Measure& measure)
 {
+    addSceneOptions(app, options);
+    app.add_option("--repeat", options.repeat, "pictures that are measured")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    app.add_option("--out", options.out, "write the picture: linear if .exr")->type_name("FILE");
     return runMain(app, argc, argv, [&] {
         if (!options.out.empty()) checkWritable(options.out);
         const auto scene = loadScene(options);

@@ -204,6 +204,5 @@ int main(int argc, char** argv)
 {
     CLI::App app("Measures one picture with Embree's sphere geometry; prints one line of JSON.", "bench_embree");
     SceneOptions options;
-    addSceneOptions(app, options);
     return runBench(app, argc, argv, options, [&](const SceneDescription& scene) { return measure(scene, options); });
 }

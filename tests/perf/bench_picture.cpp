@@ -77,7 +77,6 @@ int main(int argc, char** argv)
 {
     CLI::App app("Measures one picture with lesson 08's tracer; prints one line of JSON.", "bench_picture");
     Options options;
-    addSceneOptions(app, options);
     app.add_option("--real", options.real, "scalar type")
         ->check(CLI::IsMember({"float", "double", "long-double"}))
         ->capture_default_str();
