@@ -1,6 +1,8 @@
 // A pinhole camera.
 #pragma once
 
+#include <numbers>
+
 #include "common/ray.h"
 #include "common/scene_description.h"
 
@@ -20,7 +22,7 @@ public:
         forward = Vec3<Real>(unit(Vec(description.target) - Vec(description.eye)));
         right = unit(cross(forward, Vec3<Real>(unit(Vec(description.up)))));
         above = cross(right, forward);
-        const Real degree = Real(3.14159265358979323846264338327950288L) / 180;
+        const Real degree = std::numbers::pi_v<Real> / 180;
         halfHeight = std::tan(Real(description.verticalFov) * degree / 2);
     }
 

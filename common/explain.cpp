@@ -11,16 +11,6 @@ namespace rt
 namespace
 {
 
-std::string text(double x)
-{
-    return fmt::format("{:.5g}", x);
-}
-
-std::string text(const Vec3<double>& v)
-{
-    return fmt::format("({:.5g}, {:.5g}, {:.5g})", v.x, v.y, v.z);
-}
-
 /// The normal on the side that the ray came from.
 Vec3<double> facing(const RayTree::Hit& hit)
 {

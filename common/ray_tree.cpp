@@ -59,13 +59,18 @@ template Vec3<float> evaluate<float>(const RayTree&);
 template Vec3<double> evaluate<double>(const RayTree&);
 template Vec3<long double> evaluate<long double>(const RayTree&);
 
-namespace
+std::string text(double x)
 {
+    return fmt::format("{:.5g}", x);
+}
 
 std::string text(const Vec3<double>& v)
 {
     return fmt::format("({:.5g}, {:.5g}, {:.5g})", v.x, v.y, v.z);
 }
+
+namespace
+{
 
 /// Indentation; a depth that no recursion reaches, as a broken exercise may report, does not fill the memory.
 std::string indent(int levels)

@@ -110,8 +110,10 @@ struct RayTree
     std::vector<int> shadowsOf(int node) const;
 };
 
-const char* name(RayKind kind); ///< "camera", "reflected", "transmitted"
-const char* name(End end);      ///< "none", "absorbed", "miss", ...
+const char* name(RayKind kind);          ///< "camera", "reflected", "transmitted"
+const char* name(End end);               ///< "none", "absorbed", "miss", ...
+std::string text(double x);              ///< five digits
+std::string text(const Vec3<double>& v); ///< "(x, y, z)", five digits each
 
 /// What the root returns according to the tree alone: each node's own colour plus weight * (hit.color * child) for each
 /// child, bottom-up, in Real arithmetic. For float and double these are the bits of nodes[0].radiance.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <numbers>
 
 #include "common/scene_description.h"
 
@@ -14,7 +15,7 @@ struct SkyFormulas
 {
     using vec3 = Vec3<Real>;
     using vec2 = std::array<Real, 2>;
-    static constexpr Real PI = Real(3.14159265358979323846264338327950288L);
+    static constexpr Real PI = std::numbers::pi_v<Real>;
 
     /// Latitude and longitude: the direction -z is the middle (0.5, 0.5), +x is to its right, +y is the top edge v = 0.
     static vec2 latLong(const vec3& D)

@@ -1,6 +1,7 @@
 #include "common/tree_compare.h"
 
 #include <algorithm>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -11,10 +12,10 @@ namespace
 {
 
 /// Remembers the first difference that it is told of.
-class Comparison
+class NodeComparison
 {
 public:
-    explicit Comparison(const TreeTolerance& accepted) : tolerance(accepted) {}
+    explicit NodeComparison(const TreeTolerance& accepted) : tolerance(accepted) {}
 
     std::optional<TreeDifference> first;
 
@@ -43,7 +44,7 @@ public:
         vector(field, expected, got, 1);
         if (before || !first) return;
         const double angle = std::atan2(length(cross(expected, got)), dot(expected, got));
-        constexpr double degrees = 180 / 3.14159265358979323846;
+        constexpr double degrees = 180 / std::numbers::pi;
         if (std::isfinite(angle) && dot(expected, expected) > 0 && dot(got, got) > 0) first->angle = angle * degrees;
     }
 
@@ -119,7 +120,7 @@ double reach(const RayTree::Node& node)
 std::optional<TreeDifference> compareFollowed(const RayTree::Node& expected, const RayTree::Node& got,
                                               const TreeTolerance& tolerance)
 {
-    Comparison is(tolerance);
+    NodeComparison is(tolerance);
     const double size = reach(expected);
     is.same("kind", expected.kind, got.kind);
     is.same("depth", expected.depth, got.depth);
@@ -148,7 +149,7 @@ std::optional<TreeDifference> compareFollowed(const RayTree::Node& expected, con
 std::optional<TreeDifference> compareOwn(const RayTree::Node& expected, const RayTree::Node& got,
                                          const TreeTolerance& tolerance)
 {
-    Comparison is(tolerance);
+    NodeComparison is(tolerance);
     is.vector("own", expected.own, got.own);
     return is.first;
 }
@@ -156,7 +157,7 @@ std::optional<TreeDifference> compareOwn(const RayTree::Node& expected, const Ra
 std::optional<TreeDifference> compareReturned(const RayTree::Node& expected, const RayTree::Node& got,
                                               const TreeTolerance& tolerance)
 {
-    Comparison is(tolerance);
+    NodeComparison is(tolerance);
     const auto returned = [](const RayTree::Node& node) {
         return neverReturned(node) ? std::string("nothing: it did not return") : shortText(node.radiance);
     };
@@ -173,7 +174,7 @@ std::optional<TreeDifference> compareReturned(const RayTree::Node& expected, con
 std::optional<TreeDifference> compareBrought(const RayTree::Node& expected, const RayTree::Node& got,
                                              const TreeTolerance& tolerance)
 {
-    Comparison is(tolerance);
+    NodeComparison is(tolerance);
     is.number("weight", expected.weight, got.weight);
     is.vector("radiance", expected.radiance, got.radiance);
     return is.first;
@@ -182,7 +183,7 @@ std::optional<TreeDifference> compareBrought(const RayTree::Node& expected, cons
 std::optional<TreeDifference> compareShadows(const RayTree::Shadow& expected, const RayTree::Shadow& got,
                                              const RayTree::Node& from, const TreeTolerance& tolerance)
 {
-    Comparison is(tolerance);
+    NodeComparison is(tolerance);
     const double size = std::max(reach(from), std::abs(expected.distance));
     is.direction("direction", expected.direction, got.direction);
     is.number("distance", expected.distance, got.distance, size);
@@ -200,7 +201,7 @@ std::optional<TreeDifference> compareShadows(const RayTree::Shadow& expected, co
 std::optional<TreeDifference> compareCapped(const RayTree::Capped& expected, const RayTree::Capped& got,
                                             const TreeTolerance& tolerance)
 {
-    Comparison is(tolerance);
+    NodeComparison is(tolerance);
     is.same("kind", expected.kind, got.kind);
     is.direction("direction", expected.direction, got.direction);
     is.number("weight", expected.weight, got.weight);

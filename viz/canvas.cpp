@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <tuple>
 
 #include <vtkBrush.h>
@@ -93,7 +94,7 @@ void Canvas::roundedBox(const Box& box, double radius, const Rgba& color)
     radius = std::min({radius, box.width / 2, box.height / 2});
     const auto outline = [&](double grow) {
         constexpr int steps = 6;
-        constexpr double quarter = 3.14159265358979323846 / 2;
+        constexpr double quarter = std::numbers::pi / 2;
         std::vector<vec2> corners;
         for (int corner = 0; corner < 4; ++corner)
         {

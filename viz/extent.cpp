@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <numbers>
 
 namespace rt::viz
 {
@@ -104,7 +105,7 @@ ImagePlane imagePlane(const CameraDescription& camera, const Extent& extent)
 {
     // The same basis as Camera<Real>; here only for drawing.
     const vec3 f = unit(camera.target - camera.eye), r = unit(cross(f, unit(camera.up))), u = cross(r, f);
-    const double tangent = std::tan(camera.verticalFov * 3.14159265358979323846 / 360);
+    const double tangent = std::tan(camera.verticalFov * std::numbers::pi / 360);
     const double aspect = double(camera.width) / camera.height;
     // As wide as a good part of the scene, but well before what the camera looks at.
     const double widest = 2 * tangent * std::max(1.0, aspect);

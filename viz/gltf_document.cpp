@@ -17,7 +17,7 @@ static_assert(std::endian::native == std::endian::little, "glTF's buffers are li
 namespace
 {
 
-using Json = GltfDocument::Json;
+using GltfJson = GltfDocument::Json;
 
 // The specification's numbers.
 enum Code
@@ -53,17 +53,17 @@ void append(std::string& bytes, std::uint32_t number)
 
 } // namespace
 
-void put(Json& extras, const char* key, double x)
+void put(GltfJson& extras, const char* key, double x)
 {
     if (std::isfinite(x)) extras[key] = x;
 }
 
-void put(Json& extras, const char* key, const std::optional<double>& x)
+void put(GltfJson& extras, const char* key, const std::optional<double>& x)
 {
     if (x) put(extras, key, *x);
 }
 
-void put(Json& extras, const char* key, const vec3& v)
+void put(GltfJson& extras, const char* key, const vec3& v)
 {
     if (isFinite(v)) extras[key] = {v.x, v.y, v.z};
 }
@@ -78,11 +78,11 @@ int GltfDocument::accessor(View view, const std::vector<Value>& values, int comp
 {
     constexpr const char* types[] = {"", "SCALAR", "VEC2", "VEC3", "VEC4"};
     auto& bytes = views[std::size_t(view)];
-    Json made = {{"bufferView", int(view)}, // of all views; finished() knows those that are in use
-                 {"byteOffset", bytes.size()},
-                 {"componentType", int(componentType<Value>)},
-                 {"count", values.size() / std::size_t(components)},
-                 {"type", types[components]}};
+    GltfJson made = {{"bufferView", int(view)}, // of all views; finished() knows those that are in use
+                     {"byteOffset", bytes.size()},
+                     {"componentType", int(componentType<Value>)},
+                     {"count", values.size() / std::size_t(components)},
+                     {"type", types[components]}};
     if (std::is_same_v<Value, unsigned char>) made["normalized"] = true;
     if (withBounds)
         for (int c = 0; c < components; ++c)
@@ -151,10 +151,10 @@ std::optional<GltfDocument::Geometry> GltfDocument::add(const Mesh& mesh, bool f
 
 int GltfDocument::addMesh(const std::string& name, const std::vector<Primitive>& primitives)
 {
-    Json list = Json::array();
+    GltfJson list = GltfJson::array();
     for (const auto& [geometry, material] : primitives)
     {
-        Json attributes = {{"POSITION", geometry.positions}, {"NORMAL", geometry.normals}};
+        GltfJson attributes = {{"POSITION", geometry.positions}, {"NORMAL", geometry.normals}};
         if (geometry.colors >= 0) attributes["COLOR_0"] = geometry.colors;
         if (geometry.coordinates >= 0) attributes["TEXCOORD_0"] = geometry.coordinates;
         list.push_back({{"attributes", attributes}, {"indices", geometry.indices}, {"material", material}});
@@ -174,20 +174,20 @@ int GltfDocument::addTexture(const std::string& name, const std::string& png)
     return add("textures", {{"sampler", 0}, {"source", image}});
 }
 
-int GltfDocument::add(const char* list, Json item)
+int GltfDocument::add(const char* list, GltfJson item)
 {
     json[list].push_back(std::move(item));
     return int(json[list].size()) - 1;
 }
 
-int GltfDocument::addChild(int parent, Json node)
+int GltfDocument::addChild(int parent, GltfJson node)
 {
     const int index = add("nodes", std::move(node));
     children[parent].push_back(index);
     return index;
 }
 
-int GltfDocument::addLight(Json light)
+int GltfDocument::addLight(GltfJson light)
 {
     uses("KHR_lights_punctual");
     auto& lights = json["extensions"]["KHR_lights_punctual"]["lights"];
@@ -202,10 +202,10 @@ void GltfDocument::uses(const std::string& extension)
 }
 
 /// Views that hold nothing are left out: glTF has no empty ones.
-Json GltfDocument::finished(std::string& buffer) const
+GltfJson GltfDocument::finished(std::string& buffer) const
 {
-    Json made = json;
-    made["scenes"] = Json::array({Json::object()});
+    GltfJson made = json;
+    made["scenes"] = GltfJson::array({GltfJson::object()});
     for (const auto& [parent, indices] : children)
         (parent < 0 ? made["scenes"][0]["nodes"] : made["nodes"][std::size_t(parent)]["children"]) = indices;
 
@@ -215,7 +215,7 @@ Json GltfDocument::finished(std::string& buffer) const
     {
         if (views[i].empty()) continue;
         numbers[i] = int(made["bufferViews"].size());
-        Json view = {{"buffer", 0}, {"byteOffset", buffer.size()}, {"byteLength", views[i].size()}};
+        GltfJson view = {{"buffer", 0}, {"byteOffset", buffer.size()}, {"byteLength", views[i].size()}};
         if (i < firstImageView)
         {
             if (strides[i] > 0) view["byteStride"] = strides[i];
@@ -228,14 +228,14 @@ Json GltfDocument::finished(std::string& buffer) const
     for (const char* list : {"accessors", "images"})
         if (made.contains(list))
             for (auto& user : made[list]) user["bufferView"] = numbers[user["bufferView"].get<std::size_t>()];
-    if (!buffer.empty()) made["buffers"] = Json::array({{{"byteLength", buffer.size()}}});
+    if (!buffer.empty()) made["buffers"] = GltfJson::array({{{"byteLength", buffer.size()}}});
     return made;
 }
 
 std::string GltfDocument::binary() const
 {
     std::string buffer;
-    std::string text = finished(buffer).dump(-1, ' ', false, Json::error_handler_t::replace);
+    std::string text = finished(buffer).dump(-1, ' ', false, GltfJson::error_handler_t::replace);
     pad(text, ' ');
     const std::size_t size = 12 + 8 + text.size() + (buffer.empty() ? 0 : 8 + buffer.size());
     if (size > std::numeric_limits<std::uint32_t>::max())
@@ -254,9 +254,9 @@ std::string GltfDocument::binary() const
 std::string GltfDocument::text() const
 {
     std::string buffer;
-    Json made = finished(buffer);
+    GltfJson made = finished(buffer);
     if (!buffer.empty()) made["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(buffer);
-    return made.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    return made.dump(1, ' ', false, GltfJson::error_handler_t::replace) + "\n";
 }
 
 } // namespace rt::viz

@@ -14,18 +14,18 @@ namespace rt::viz
 namespace
 {
 
-using Json = GltfDocument::Json;
+using GltfJson = GltfDocument::Json;
 
-Json factor(const vec3& color, double alpha)
+GltfJson factor(const vec3& color, double alpha)
 {
-    Json four = channels(color);
+    GltfJson four = channels(color);
     four.push_back(alpha);
     return four;
 }
 
 } // namespace
 
-Json channels(const vec3& color)
+GltfJson channels(const vec3& color)
 {
     const auto share = [](double x) { return x > 0 ? std::min(x, 1.0) : 0.0; };
     return {share(color.x), share(color.y), share(color.z)};
@@ -37,16 +37,16 @@ int GltfMaterials::unlit(const std::string& title, const Rgba& color, bool fades
     if (const auto found = known.find(key); found != known.end()) return found->second;
     gltf.uses("KHR_materials_unlit");
     const vec3 rgb(fromSrgb8(color.r), fromSrgb8(color.g), fromSrgb8(color.b));
-    Json material = {{"name", title},
-                     {"pbrMetallicRoughness",
-                      {{"baseColorFactor", factor(rgb, 1)}, {"metallicFactor", 0}, {"roughnessFactor", 0.9}}},
-                     {"extensions", {{"KHR_materials_unlit", Json::object()}}}};
+    GltfJson material = {{"name", title},
+                         {"pbrMetallicRoughness",
+                          {{"baseColorFactor", factor(rgb, 1)}, {"metallicFactor", 0}, {"roughnessFactor", 0.9}}},
+                         {"extensions", {{"KHR_materials_unlit", GltfJson::object()}}}};
     if (fades) material["alphaMode"] = "BLEND";
     return known[key] = gltf.add("materials", std::move(material));
 }
 
 /// Glass is blended and not refracting (KHR_materials_transmission): the rays within must be seen where they are.
-Json GltfMaterials::made(const Material<double>& mat, bool bothSides, bool fades)
+GltfJson GltfMaterials::made(const Material<double>& mat, bool bothSides, bool fades)
 {
     const bool glass = mat.isDielectric();
     // A metal shows what is around it, and many programs have nothing there: wholly metallic it would be black.
@@ -56,14 +56,14 @@ Json GltfMaterials::made(const Material<double>& mat, bool bothSides, bool fades
                              : mat.mirror > 0 ? 0.5 * (1 - mat.mirror)
                              : mat.glossy > 0 ? std::pow(2 / (mat.exponent + 2), 0.25)
                                               : 1;
-    Json material = {{"name", mat.name},
-                     {"pbrMetallicRoughness",
-                      {{"baseColorFactor", factor(mat.color, glass ? 0.25 : 1)},
-                       {"metallicFactor", glass ? 0 : metal},
-                       {"roughnessFactor", std::clamp(roughness, 0.0, 1.0)}}}};
+    GltfJson material = {{"name", mat.name},
+                         {"pbrMetallicRoughness",
+                          {{"baseColorFactor", factor(mat.color, glass ? 0.25 : 1)},
+                           {"metallicFactor", glass ? 0 : metal},
+                           {"roughnessFactor", std::clamp(roughness, 0.0, 1.0)}}}};
     if (glass || fades) material["alphaMode"] = "BLEND";
     if (bothSides) material["doubleSided"] = true;
-    Json extras = Json::object();
+    GltfJson extras = GltfJson::object();
     put(extras, "color", mat.color);
     put(extras, "mirror", mat.mirror);
     put(extras, "ior", mat.ior);
@@ -96,7 +96,7 @@ int GltfMaterials::checkered(const PlaneDescription& plane, const std::string& t
         for (int x = 0; x < 2 * cell; ++x)
             picture.at(x, y) = (x / cell + y / cell) % 2 == 0 ? mat.color : plane.checkerColor;
     const int texture = gltf.addTexture("checker of " + title, pngBytes(picture));
-    Json material = made(mat, mat.isDielectric(), false);
+    GltfJson material = made(mat, mat.isDielectric(), false);
     auto& look = material["pbrMetallicRoughness"];
     look["baseColorFactor"] = factor(vec3(1), look["baseColorFactor"][3]);
     look["baseColorTexture"]["index"] = texture;

@@ -12,19 +12,19 @@ namespace rt::viz
 namespace
 {
 
-using Json = GltfDocument::Json;
+using GltfJson = GltfDocument::Json;
 
 /// Importers nest calls as deep as nodes: Python's, for one, stop at 1000.
 constexpr int mostLevels = 100;
 
-Json extrasOf(const RayTree::Node& node)
+GltfJson extrasOf(const RayTree::Node& node)
 {
-    Json extras = {{"id", node.id}, {"parent", node.parent}, {"kind", name(node.kind)}, {"depth", node.depth}};
+    GltfJson extras = {{"id", node.id}, {"parent", node.parent}, {"kind", name(node.kind)}, {"depth", node.depth}};
     put(extras, "origin", node.origin);
     put(extras, "direction", node.direction);
     if (node.hit)
     {
-        Json hit = Json::object();
+        GltfJson hit = GltfJson::object();
         put(hit, "t", node.hit->t);
         put(hit, "point", node.hit->point);
         put(hit, "normal", node.hit->normal);
@@ -49,9 +49,9 @@ Json extrasOf(const RayTree::Node& node)
     return extras;
 }
 
-Json extrasOf(const RayTree::Shadow& shadow)
+GltfJson extrasOf(const RayTree::Shadow& shadow)
 {
-    Json extras = {{"node", shadow.node}, {"light", shadow.light}, {"visible", shadow.visible}};
+    GltfJson extras = {{"node", shadow.node}, {"light", shadow.light}, {"visible", shadow.visible}};
     put(extras, "direction", shadow.direction);
     put(extras, "distance", shadow.distance);
     put(extras, "tint", shadow.tint);
@@ -64,9 +64,9 @@ Json extrasOf(const RayTree::Shadow& shadow)
     return extras;
 }
 
-Json extrasOf(const RayTree::Capped& capped)
+GltfJson extrasOf(const RayTree::Capped& capped)
 {
-    Json extras = {{"node", capped.node}, {"kind", name(capped.kind)}, {"reason", name(capped.reason)}};
+    GltfJson extras = {{"node", capped.node}, {"kind", name(capped.kind)}, {"reason", name(capped.reason)}};
     put(extras, "direction", capped.direction);
     put(extras, "weight", capped.weight);
     put(extras, "radiance", capped.radiance);
@@ -81,7 +81,7 @@ const char* nameOf(RayRole role)
     return isShadow(role) ? "shadow ray, blocked" : "normal";
 }
 
-struct Exporter
+struct RayExporter
 {
     GltfDocument& gltf;
     GltfMaterials& materials;
@@ -114,9 +114,9 @@ struct Exporter
         return found;
     }
 
-    Json arrow(const std::string& title, RayDrawing part)
+    GltfJson arrow(const std::string& title, RayDrawing part)
     {
-        Json made = {{"name", title}};
+        GltfJson made = {{"name", title}};
         if (part.segments.empty()) return made;
         part.size = drawing.size;
         const RayRole role = part.segments[0].role;
@@ -143,7 +143,7 @@ struct Exporter
             const bool hasParent = ray.parent >= 0 && std::size_t(ray.parent) < i;
             if (hasParent) level[i] = level[std::size_t(ray.parent)] + 1;
             if (level[i] > mostLevels && deeper < 0) deeper = gltf.addChild(group, {{"name", "deeper rays"}});
-            Json entry = arrow(fmt::format("[{}] {} depth {}", ray.id, name(ray.kind), ray.depth), parts.rays[i]);
+            GltfJson entry = arrow(fmt::format("[{}] {} depth {}", ray.id, name(ray.kind), ray.depth), parts.rays[i]);
             entry["extras"] = extrasOf(ray);
             made[i] = gltf.addChild(level[i] > mostLevels ? deeper
                                     : hasParent           ? made[std::size_t(ray.parent)]
@@ -152,9 +152,9 @@ struct Exporter
             if (!parts.normals[i].segments.empty())
                 gltf.addChild(made[i], arrow(fmt::format("normal at [{}]", ray.id), parts.normals[i]));
         }
-        const auto addTo = [&](int ray, const std::string& title, const RayDrawing& part, Json extras) {
+        const auto addTo = [&](int ray, const std::string& title, const RayDrawing& part, GltfJson extras) {
             if (ray < 0 || std::size_t(ray) >= made.size()) return;
-            Json entry = arrow(title, part);
+            GltfJson entry = arrow(title, part);
             entry["extras"] = std::move(extras);
             gltf.addChild(made[std::size_t(ray)], std::move(entry));
         };
@@ -177,7 +177,7 @@ struct Exporter
 
 void addRays(GltfDocument& gltf, GltfMaterials& materials, const RayTree& tree, const RayDrawing& drawing)
 {
-    Exporter{gltf, materials, tree, drawing}.addRays();
+    RayExporter{gltf, materials, tree, drawing}.addRays();
 }
 
 } // namespace rt::viz

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 #include <glm/gtc/quaternion.hpp>
@@ -16,13 +17,13 @@ namespace rt::viz
 namespace
 {
 
-using Json = GltfDocument::Json;
+using GltfJson = GltfDocument::Json;
 
 /// More single triangles than these become one node for each material.
 constexpr std::size_t mostSingleTriangles = 500;
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
-struct Exporter
+struct SceneExporter
 {
     GltfDocument& gltf;
     GltfMaterials& materials;
@@ -37,9 +38,9 @@ struct Exporter
 
     /// A node with a mesh of its own, made of material(); without one if nothing of it can be drawn.
     template <class Material>
-    Json node(const std::string& title, const Mesh& mesh, Material&& material, bool fades = false)
+    GltfJson node(const std::string& title, const Mesh& mesh, Material&& material, bool fades = false)
     {
-        Json made = {{"name", title}};
+        GltfJson made = {{"name", title}};
         if (const auto geometry = gltf.add(mesh, fades)) made["mesh"] = gltf.addMesh(title, {{*geometry, material()}});
         return made;
     }
@@ -70,12 +71,13 @@ struct Exporter
         return balls[key] = gltf.addMesh("ball", {{*geometry, materialIndex}});
     }
 
-    static Json placed(const std::string& title, const vec3& centre, double radius)
+    static GltfJson placed(const std::string& title, const vec3& centre, double radius)
     {
         return {{"name", title}, {"translation", {centre.x, centre.y, centre.z}}, {"scale", {radius, radius, radius}}};
     }
 
-    void addObject(Json object, const std::string& primitive, int materialIndex, Json extras = Json::object())
+    void addObject(GltfJson object, const std::string& primitive, int materialIndex,
+                   GltfJson extras = GltfJson::object())
     {
         if (!object.contains("mesh")) return;
         extras["primitive"] = primitive;
@@ -91,10 +93,10 @@ struct Exporter
         {
             const auto& sphere = scene.spheres[i];
             const auto title = fmt::format("sphere{}", i);
-            Json extras = Json::object();
+            GltfJson extras = GltfJson::object();
             put(extras, "center", sphere.center);
             put(extras, "radius", sphere.radius);
-            Json object;
+            GltfJson object;
             if (isBackdrop(sphere, scene.camera))
             {
                 SceneDescription alone;
@@ -145,7 +147,7 @@ struct Exporter
             if (!geometry) continue;
             const int finish =
                 plane.hasChecker ? materials.checkered(plane, title) : materials.surface(plane.material, seeThrough);
-            Json extras = Json::object();
+            GltfJson extras = GltfJson::object();
             put(extras, "point", plane.point);
             put(extras, "normal", plane.normal);
             addObject({{"name", title}, {"mesh", gltf.addMesh(title, {{*geometry, finish}})}}, title, plane.material,
@@ -192,7 +194,7 @@ struct Exporter
             if (!fitsFloat(light.position)) continue;
             if (group < 0) group = gltf.addChild(-1, {{"name", "lights"}});
             const auto title = fmt::format("light {}", i);
-            Json object = placed(title, light.position, lightRadius(drawing));
+            GltfJson object = placed(title, light.position, lightRadius(drawing));
             object["mesh"] = ball(materials.unlit(title, lightColor(light)), 16);
             put(object["extras"], "color", light.color);
             const int entry = gltf.addChild(group, std::move(object));
@@ -224,15 +226,15 @@ struct Exporter
                                                 {{"aspectRatio", double(camera.width) / camera.height},
                                                  {"yfov", camera.verticalFov * pi / 180},
                                                  {"znear", std::clamp(0.001 * objects.radius, 1e-30, 1e30)}}}});
-        Json entry = {{"name", "camera"},
-                      {"camera", index},
-                      {"translation", {camera.eye.x, camera.eye.y, camera.eye.z}},
-                      {"rotation", {turned.x, turned.y, turned.z, turn.w}},
-                      {"extras", {{"width", camera.width}, {"height", camera.height}}}};
+        GltfJson entry = {{"name", "camera"},
+                          {"camera", index},
+                          {"translation", {camera.eye.x, camera.eye.y, camera.eye.z}},
+                          {"rotation", {turned.x, turned.y, turned.z, turn.w}},
+                          {"extras", {{"width", camera.width}, {"height", camera.height}}}};
         gltf.addChild(-1, std::move(entry));
 
         constexpr double thickness = 0.006; // of the objects' extent, as in the viewer
-        Json frustum = node("camera frustum", cameraMesh(plane, thickness * objects.radius), [&] {
+        GltfJson frustum = node("camera frustum", cameraMesh(plane, thickness * objects.radius), [&] {
             return materials.unlit("camera frustum", {190, 205, 222});
         });
         if (frustum.contains("mesh")) gltf.addChild(-1, std::move(frustum));
@@ -255,7 +257,7 @@ struct Exporter
 
 void addScene(GltfDocument& gltf, GltfMaterials& materials, const SceneDescription& scene, const RayDrawing& drawing)
 {
-    Exporter exporter{gltf, materials, scene, drawing};
+    SceneExporter exporter{gltf, materials, scene, drawing};
     exporter.addAll();
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 namespace rt::viz
@@ -34,7 +35,7 @@ bool crosses(const std::array<vec2, 2>& line, const Box& box, double gap)
 
 std::vector<Box> candidates(const LabelRequest& request)
 {
-    constexpr double pi = 3.14159265358979323846;
+    using std::numbers::pi;
     std::vector<Box> boxes;
     if (request.line >= 0)
         for (const auto& anchor : request.anchors)

@@ -1,6 +1,7 @@
 #include "viz/mesh.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace rt::viz
 {
@@ -9,7 +10,7 @@ namespace
 {
 
 constexpr int sides = 14;
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 int addPoint(Mesh& mesh, const vec3& point, const vec3& normal, const Rgba& color)
 {

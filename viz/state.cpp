@@ -8,26 +8,26 @@ namespace rt::viz
 namespace
 {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 /// What is not finite is written as null.
-Json triple(const Vec3<double>& v)
+OrderedJson triple(const Vec3<double>& v)
 {
     return {v.x, v.y, v.z};
 }
 
-Json eventJson(const Controller& controller)
+OrderedJson eventJson(const Controller& controller)
 {
     const auto* event = controller.current();
     if (!event) return nullptr;
     return {{"text", describe(controller.tree(), *event)}, {"node", event->node}, {"line", event->line}};
 }
 
-Json comparisonJson(const Controller& controller)
+OrderedJson comparisonJson(const Controller& controller)
 {
     const auto* comparison = controller.comparison();
     if (!comparison) return nullptr;
-    Json first = nullptr;
+    OrderedJson first = nullptr;
     if (const auto& found = comparison->first)
     {
         first = {{"path", found->path},        {"field", found->field},   {"expected", found->expected},
@@ -43,32 +43,33 @@ Json comparisonJson(const Controller& controller)
 std::string stateJson(const Controller& controller)
 {
     const auto& tree = controller.tree();
-    Json shown = Json::array();
+    OrderedJson shown = OrderedJson::array();
     for (const auto& node : tree.nodes)
         if (controller.isReached(node.id) && controller.isShown(node.id)) shown.push_back(node.id);
-    Json kindsShown;
+    OrderedJson kindsShown;
     for (int kind = 0; kind < kinds; ++kind) kindsShown[name(Kind(kind))] = controller.shows(Kind(kind));
-    const Json state = {{"source", controller.source().title},
-                        {"scene", controller.scene().file},
-                        {"pixel", controller.pixel() ? Json(*controller.pixel()) : Json(nullptr)},
-                        {"max_depth", controller.maxDepth()},
-                        {"nodes", tree.nodes.size()},
-                        {"radiance", tree.nodes.empty() ? Json(nullptr) : triple(tree.nodes[0].radiance)},
-                        {"selected", controller.node() ? Json(controller.selected()) : Json(nullptr)},
-                        {"hovered", controller.hovered() < 0 ? Json(nullptr) : Json(controller.hovered())},
-                        {"step", controller.step()},
-                        {"last_step", controller.lastStep()},
-                        {"event", eventJson(controller)},
-                        {"playing", controller.isPlaying()},
-                        {"shown_nodes", shown},
-                        {"kinds", kindsShown},
-                        {"weakest", controller.weakest()},
-                        {"normals", controller.showsNormals()},
-                        {"help", controller.showsHelp()},
-                        {"look", name(controller.look())},
-                        {"comparison", comparisonJson(controller)},
-                        {"message", controller.message()}};
-    return state.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    const OrderedJson state = {
+        {"source", controller.source().title},
+        {"scene", controller.scene().file},
+        {"pixel", controller.pixel() ? OrderedJson(*controller.pixel()) : OrderedJson(nullptr)},
+        {"max_depth", controller.maxDepth()},
+        {"nodes", tree.nodes.size()},
+        {"radiance", tree.nodes.empty() ? OrderedJson(nullptr) : triple(tree.nodes[0].radiance)},
+        {"selected", controller.node() ? OrderedJson(controller.selected()) : OrderedJson(nullptr)},
+        {"hovered", controller.hovered() < 0 ? OrderedJson(nullptr) : OrderedJson(controller.hovered())},
+        {"step", controller.step()},
+        {"last_step", controller.lastStep()},
+        {"event", eventJson(controller)},
+        {"playing", controller.isPlaying()},
+        {"shown_nodes", shown},
+        {"kinds", kindsShown},
+        {"weakest", controller.weakest()},
+        {"normals", controller.showsNormals()},
+        {"help", controller.showsHelp()},
+        {"look", name(controller.look())},
+        {"comparison", comparisonJson(controller)},
+        {"message", controller.message()}};
+    return state.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 } // namespace rt::viz

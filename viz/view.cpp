@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "viz/mesh.h"
 
@@ -11,7 +12,7 @@ namespace rt::viz
 namespace
 {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 struct Basis
 {

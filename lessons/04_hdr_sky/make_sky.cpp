@@ -1,5 +1,7 @@
 #include "make_sky.h"
 
+#include <numbers>
+
 namespace rt
 {
 

@@ -61,7 +61,7 @@ std::vector<Submission> partOf(const std::vector<Submission>& all, const Shard& 
 } // namespace
 
 ClassRun gradeClass(const std::vector<Submission>& all, const ClassSetting& setting, const std::atomic<bool>& stop,
-                    const std::function<void(const Progress&)>& report)
+                    const std::function<void(const ClassProgress&)>& report)
 {
     const auto submissions = partOf(all, setting.shard);
     std::vector<std::optional<SubmissionResult>> results(submissions.size());

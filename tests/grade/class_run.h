@@ -29,7 +29,7 @@ struct ClassSetting
 };
 
 /// One more submission is done.
-struct Progress
+struct ClassProgress
 {
     std::size_t done = 0, of = 0;
     const SubmissionResult* result = nullptr;
@@ -48,6 +48,6 @@ struct ClassRun
 /// Calls `report` from any thread, but one at a time. When `stop` becomes true the submissions in work are given up:
 /// nothing of them is written. Throws std::runtime_error with one sentence if nothing can be graded at all.
 ClassRun gradeClass(const std::vector<Submission>& submissions, const ClassSetting& setting,
-                    const std::atomic<bool>& stop, const std::function<void(const Progress&)>& report);
+                    const std::atomic<bool>& stop, const std::function<void(const ClassProgress&)>& report);
 
 } // namespace rt::grade

@@ -224,7 +224,7 @@ std::string summary(const SubmissionResult& result)
 }
 
 /// A line for each student on a terminal; JSON lines on standard output elsewhere.
-void show(const Progress& progress)
+void show(const ClassProgress& progress)
 {
     const auto& result = *progress.result;
     if (isatty(STDOUT_FILENO))

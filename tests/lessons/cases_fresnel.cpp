@@ -8,8 +8,6 @@ namespace rt::cases
 namespace
 {
 
-const double degree = SkyFormulas<double>::PI / 180;
-
 /// Oracle values of the Fresnel equations for unpolarised light, from the closed form in 30 digits.
 struct Oracle
 {

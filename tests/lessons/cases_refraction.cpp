@@ -9,8 +9,6 @@ namespace rt::cases
 namespace
 {
 
-const double degree = SkyFormulas<double>::PI / 180;
-
 /// Arrives on the plane y = 0 from above at `angle` radians from the normal (0, 1, 0).
 V arriving(double angle)
 {

@@ -1,12 +1,16 @@
 // Small helpers of the cases: to set up a scene, and to look at a picture of it.
 #pragma once
 
+#include <numbers>
+
 #include "common/scene_file.h"
 #include "tests/lessons/check.h"
 #include "tests/lessons/subject.h"
 
 namespace rt::cases
 {
+
+inline constexpr double degree = std::numbers::pi / 180;
 
 /// A scene of the project, small enough for a golden picture.
 inline SceneDescription smallScene(const std::string& relative)

@@ -1,5 +1,7 @@
 // Large against small: far cameras, planets, specks, thin shells, scenes far from the origin. Where float has a horizon,
 // the horizon is what is asserted.
+#include <numbers>
+
 #include "tests/numerics/extremes.h"
 
 namespace rt::numerics

@@ -29,7 +29,7 @@ inline void addSceneOptions(CLI::App& app, SceneOptions& options)
         ->type_name("N");
 }
 
-inline SceneDescription loadScene(const SceneOptions& options)
+inline SceneDescription chosenScene(const SceneOptions& options)
 {
     SceneDescription scene = benchScene(options.scene);
     if (!options.size.empty())
@@ -88,7 +88,7 @@ int runBench(CLI::App& app, int argc, char** argv, SceneOptions& options, const 
     app.add_option("--out", options.out, "write the picture: linear if .exr")->type_name("FILE");
     return runMain(app, argc, argv, [&] {
         if (!options.out.empty()) checkWritable(options.out);
-        const auto scene = loadScene(options);
+        const auto scene = chosenScene(options);
         watchInterrupt();
         const Measured measured = measure(scene);
         if (interrupted()) return int(exitInterrupted);

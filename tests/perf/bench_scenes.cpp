@@ -1,6 +1,7 @@
 #include "bench_scenes.h"
 
 #include <charconv>
+#include <numbers>
 #include <random>
 
 #include <fmt/format.h>
@@ -68,7 +69,7 @@ void grow(std::vector<SphereDescription>& spheres, const Vec3<double>& center, d
     if (levels == 0) return;
     const Vec3<double> axis = std::abs(up.x) < 0.9 ? Vec3<double>(1, 0, 0) : Vec3<double>(0, 1, 0);
     const Vec3<double> x = unit(axis - dot(axis, up) * up), z = cross(x, up);
-    constexpr double pi = 3.14159265358979323846;
+    using std::numbers::pi;
     for (int k = 0; k < 9; ++k)
     {
         const double angle = k < 6 ? k * pi / 3 : pi / 6 + (k - 6) * 2 * pi / 3;
@@ -138,7 +139,7 @@ void setLights(SceneDescription& scene, int count)
     scene.lights.clear();
     for (int i = 0; i < count; ++i)
     {
-        const double angle = 2 * 3.14159265358979323846 * (i + 0.25) / count;
+        const double angle = 2 * std::numbers::pi * (i + 0.25) / count;
         scene.lights.push_back({{5 * std::cos(angle), 6.5, 3 + 5 * std::sin(angle)}, sum / double(count)});
     }
 }

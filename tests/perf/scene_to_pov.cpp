@@ -15,7 +15,7 @@ int main(int argc, char** argv)
     app.footer("Its picture, linear, on one thread:\n"
                "  povray +Iscene.pov +Oscene.png +FN16 File_Gamma=1.0 +W1024 +H768 -A -D +WT1");
     return rt::runMain(app, argc, argv, [&] {
-        const std::string text = rt::perf::povScene(loadScene(options));
+        const std::string text = rt::perf::povScene(chosenScene(options));
         if (out.empty())
             std::cout << text;
         else

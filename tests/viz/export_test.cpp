@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <cstring>
 #include <memory>
+#include <numbers>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -586,7 +587,7 @@ TEST(Gltf, LightsAreAsBrightAsTheLectures)
         expectSame(glb.node("light " + std::to_string(i)), "translation", scene.lights[i].position);
         const auto color = lamps[i]["color"].get<std::array<double, 3>>();
         for (std::size_t c = 0; c < 3; ++c)
-            EXPECT_NEAR(color[c] * lamps[i]["intensity"].get<double>() / 3.14159265358979,
+            EXPECT_NEAR(color[c] * lamps[i]["intensity"].get<double>() / std::numbers::pi,
                         scene.lights[i].color[int(c)], 1e-12 * largestChannel(scene.lights[i].color));
     }
 }

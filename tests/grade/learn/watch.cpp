@@ -90,9 +90,9 @@ struct Watch
     void saved()
     {
         const auto exercise = current();
-        const auto before = session.progress.of(exercise.id);
+        const auto standing = session.progress.of(exercise.id);
         const auto* next = session.nextToDo(exercise.id);
-        if (before == Standing::right && next && next->lesson == exercise.lesson) session.progress.current = next->id;
+        if (standing == Standing::right && next && next->lesson == exercise.lesson) session.progress.current = next->id;
         runAgain();
     }
 

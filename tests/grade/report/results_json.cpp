@@ -15,7 +15,7 @@ namespace rt::grade
 namespace
 {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr int version = 1;
 
@@ -40,24 +40,24 @@ double rounded(double number)
     return result == 0 ? 0 : result;
 }
 
-Json texts(const std::vector<std::string>& all)
+OrderedJson texts(const std::vector<std::string>& all)
 {
-    Json array = Json::array();
+    OrderedJson array = OrderedJson::array();
     for (const auto& text : all) array.push_back(kept(text));
     return array;
 }
 
-Json exact(const ClassResult& one)
+OrderedJson exact(const ClassResult& one)
 {
-    Json json{{"exercise", kept(one.exercise)},
-              {"name", kept(one.name)},
-              {"hidden", one.hidden},
-              {"cases", one.cases},
-              {"passed", one.passed},
-              {"points", finite(one.points, "points")},
-              {"most", finite(one.most, "most points")},
-              {"outcome", name(one.outcome)},
-              {"mistake", kept(one.mistake)}};
+    OrderedJson json{{"exercise", kept(one.exercise)},
+                     {"name", kept(one.name)},
+                     {"hidden", one.hidden},
+                     {"cases", one.cases},
+                     {"passed", one.passed},
+                     {"points", finite(one.points, "points")},
+                     {"most", finite(one.most, "most points")},
+                     {"outcome", name(one.outcome)},
+                     {"mistake", kept(one.mistake)}};
     if (one.example && !one.hidden)
     {
         const auto& [what, expected, got, degrees] = *one.example;
@@ -74,22 +74,22 @@ Json exact(const ClassResult& one)
     return json;
 }
 
-Json exact(const SubmissionResult& result)
+OrderedJson exact(const SubmissionResult& result)
 {
-    Json json{{"version", version},
-              {"student", repaired(result.student)},
-              {"lesson", result.lesson},
-              {"key", kept(result.key)},
-              {"grader", kept(result.grader)},
-              {"state", name(result.state)},
-              {"reason", kept(result.reason)},
-              {"compiler_errors", texts(result.compilerErrors)},
-              {"classes", Json::array()},
-              {"remarks", texts(result.remarks)},
-              {"student_text", kept(result.studentText)},
-              {"sandbox", kept(result.sandbox)},
-              {"seconds", finite(result.seconds, "seconds")},
-              {"compile_seconds", finite(result.compileSeconds, "compile seconds")}};
+    OrderedJson json{{"version", version},
+                     {"student", repaired(result.student)},
+                     {"lesson", result.lesson},
+                     {"key", kept(result.key)},
+                     {"grader", kept(result.grader)},
+                     {"state", name(result.state)},
+                     {"reason", kept(result.reason)},
+                     {"compiler_errors", texts(result.compilerErrors)},
+                     {"classes", OrderedJson::array()},
+                     {"remarks", texts(result.remarks)},
+                     {"student_text", kept(result.studentText)},
+                     {"sandbox", kept(result.sandbox)},
+                     {"seconds", finite(result.seconds, "seconds")},
+                     {"compile_seconds", finite(result.compileSeconds, "compile seconds")}};
     for (const auto& one : result.classes) json["classes"].push_back(exact(one));
     return json;
 }
@@ -106,7 +106,7 @@ const char* visibility(HiddenTests hidden)
     return hidden == HiddenTests::visible ? "visible" : hidden == HiddenTests::never ? "hidden" : "after_published";
 }
 
-Json test(const ClassResult& one, HiddenTests hidden)
+OrderedJson test(const ClassResult& one, HiddenTests hidden)
 {
     return {{"name", className(one)},
             {"score", rounded(one.points)},
@@ -117,9 +117,9 @@ Json test(const ClassResult& one, HiddenTests hidden)
             {"visibility", one.hidden ? visibility(hidden) : "visible"}};
 }
 
-Json tests(const SubmissionResult& result, HiddenTests hidden)
+OrderedJson tests(const SubmissionResult& result, HiddenTests hidden)
 {
-    Json array = Json::array();
+    OrderedJson array = OrderedJson::array();
     for (const auto& one : result.classes) array.push_back(test(one, hidden));
     if (result.state == State::graded) return array;
     std::vector<std::string> lines = {stateSentence(result)};
@@ -140,16 +140,16 @@ std::string resultsJson(const SubmissionResult& result, HiddenTests hidden)
 {
     std::vector<std::string> lines = {stateSentence(result)};
     for (const auto& remark : result.remarks) lines.push_back(cleanLine(remark));
-    const Json json{{"score", rounded(finite(result.points(), "points"))},
-                    {"execution_time", rounded(finite(result.seconds, "seconds"))},
-                    {"output", joined(lines)},
-                    {"output_format", "text"},
-                    {"test_output_format", "text"},
-                    {"test_name_format", "text"},
-                    {"visibility", "visible"},
-                    {"stdout_visibility", "hidden"},
-                    {"tests", tests(result, hidden)},
-                    {"extra_data", {{"raytree", exact(result)}}}};
+    const OrderedJson json{{"score", rounded(finite(result.points(), "points"))},
+                           {"execution_time", rounded(finite(result.seconds, "seconds"))},
+                           {"output", joined(lines)},
+                           {"output_format", "text"},
+                           {"test_output_format", "text"},
+                           {"test_name_format", "text"},
+                           {"visibility", "visible"},
+                           {"stdout_visibility", "hidden"},
+                           {"tests", tests(result, hidden)},
+                           {"extra_data", {{"raytree", exact(result)}}}};
     return json.dump(1, ' ', true) + "\n";
 }
 

@@ -21,17 +21,6 @@ constexpr int mostDeaths = 20;
 constexpr std::size_t processesHeard = 4, textKept = 4096;
 constexpr double patience = 3; ///< times the wall time of one process: what all of them may take together
 
-/// FNV-1a, 64 bit (Fowler, Noll, Vo).
-class Hash
-{
-public:
-    void add(std::string_view bytes)
-    {
-        for (const char byte : bytes) value = (value ^ static_cast<unsigned char>(byte)) * 0x100000001b3;
-    }
-    std::uint64_t value = 0xcbf29ce484222325;
-};
-
 /// A student's numbers come from other formulas than the lesson's, and that is fine: with this epsilon the 64 units in the
 /// last place that cases allow are 6e-8, a millionth of what an eye sees and a thousandth of what a mistake costs. It also
 /// lets stored pictures differ at edges, as in single precision.
@@ -41,6 +30,17 @@ constexpr double studentEpsilon = 0x1p-30;
 
 struct Remote::State
 {
+    /// FNV-1a, 64 bit (Fowler, Noll, Vo).
+    class Hash
+    {
+    public:
+        void add(std::string_view bytes)
+        {
+            for (const char byte : bytes) value = (value ^ static_cast<unsigned char>(byte)) * 0x100000001b3;
+        }
+        std::uint64_t value = 0xcbf29ce484222325;
+    };
+
     Box box;
     std::string program;
     int lesson = 0;
