@@ -42,10 +42,3 @@ target_include_directories(grade_student_blockerless PRIVATE ${solved})
 add_dependencies(grade_student_blockerless solved_exercises)
 
 target_compile_definitions(grade_tests PRIVATE RAYTREE_STUDENTS="${PROJECT_BINARY_DIR}/students/")
-if(TARGET raytree_cases)
-  target_link_libraries(grade_tests PRIVATE raytree_cases)
-else()
-  file(GLOB cases CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/lessons/cases_*.cpp
-       ${PROJECT_SOURCE_DIR}/tests/lessons/*_cases.cpp)
-  target_sources(grade_tests PRIVATE ${cases})
-endif()
