@@ -49,7 +49,7 @@ def exercise(trace, entries, solved):
         indent = match["indent"]
         if solved:
             return match["body"]
-        return (f"{indent}// TODO {entry['id']} ({entry['points']} points): {entry['title']}\n"
+        return (f"{indent}// TODO {entry['id']} ({entry['points']} point{'s' * (entry['points'] != 1)}): {entry['title']}\n"
                 f"{indent}// Slide: {entry['slide']}\n"
                 f"{indent}todo(\"{entry['id']}\");\n")
 

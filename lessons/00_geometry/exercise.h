@@ -45,7 +45,7 @@ struct Geometry
     // b) Verify your answer for a) for the two given points: which y has the line at x?
     static Real yAt(const SlopeIntercept& line, Real x)
     {
-        // TODO 00-verify (1 points): The line's y at a given x
+        // TODO 00-verify (1 point): The line's y at a given x
         // Slide: Tutorial 2 - Geometry, exercise 1b
         todo("00-verify");
     }
@@ -61,7 +61,7 @@ struct Geometry
     // d) Determine two normals for the line, with different directions.
     static std::pair<vec2, vec2> normals(const Implicit& line)
     {
-        // TODO 00-normals-2d (1 points): Two normals of a line in 2D
+        // TODO 00-normals-2d (1 point): Two normals of a line in 2D
         // Slide: Tutorial 2 - Geometry, exercise 1d
         todo("00-normals-2d");
     }
@@ -77,7 +77,7 @@ struct Geometry
     // e) Another form of the same line: one whose normal has length 1. (What is its C?)
     static Implicit withUnitNormal(const Implicit& line)
     {
-        // TODO 00-unit-normal (1 points): The implicit form with a normal of length 1
+        // TODO 00-unit-normal (1 point): The implicit form with a normal of length 1
         // Slide: Tutorial 2 - Geometry, exercise 1e
         todo("00-unit-normal");
     }
@@ -89,7 +89,7 @@ struct Geometry
     // a) What is the length of this line segment?
     static Real segmentLength(const vec3& P, const vec3& Q)
     {
-        // TODO 00-length (1 points): The length of a segment in 3D
+        // TODO 00-length (1 point): The length of a segment in 3D
         // Slide: Tutorial 2 - Geometry, exercise 3a
         todo("00-length");
     }
@@ -97,7 +97,7 @@ struct Geometry
     // b) What is the parametric representation of this line?
     static Parametric parametricForm(const vec3& P, const vec3& Q)
     {
-        // TODO 00-parametric (1 points): The parametric form of a line in 3D
+        // TODO 00-parametric (1 point): The parametric form of a line in 3D
         // Slide: Tutorial 2 - Geometry, exercise 3b
         todo("00-parametric");
     }

@@ -61,7 +61,7 @@ def check_lesson(lesson, rows):
     lines = exercise.read_text().splitlines()
     solved = solutions(lesson)
     todos = {match[1]: (i, match[2], match[3]) for i, line in enumerate(lines)
-             if (match := re.fullmatch(r" *// TODO (\S+) \((\d+) points\): (.*)", line))}
+             if (match := re.fullmatch(r" *// TODO (\S+) \((\d+) points?\): (.*)", line))}
     for row in rows:
         if row["id"] not in solved:
             problem(MANIFEST, line_of(row), f"nothing in {name(lesson)} is marked // SOLUTION {row['id']}: no lesson solves the exercise")
@@ -70,7 +70,7 @@ def check_lesson(lesson, rows):
             continue
         at, points, title = todos[row["id"]]
         if (points, title) != (str(row["points"]), row["title"]):
-            problem(exercise, at + 1, f"the TODO says ({points} points): {title}; the manifest says ({row['points']} points): {row['title']}")
+            problem(exercise, at + 1, f"the TODO says {points} points and \"{title}\"; the manifest {row['points']} and \"{row['title']}\"")
         after = lines[at + 2].strip() if at + 2 < len(lines) else ""
         if after != f'todo("{row["id"]}");':
             problem(exercise, at + 3, f"expected todo(\"{row['id']}\"); got: {after}")

@@ -132,8 +132,8 @@ std::string exerciseText(const Session& session, const Exercise& exercise, const
     const auto file = session.fileOf(exercise.lesson);
     const bool exists = std::filesystem::exists(file); // an editor may be about to write it
     const int line = exists ? todoLine(readTextFile(file), exercise.id) : 0;
-    return fmt::format("{} ({:g} points)\nSlide: {}\n{}\n", paint(exercise.id + ", " + exercise.title, bold, look),
-                       exercise.points, exercise.slide,
+    return fmt::format("{} ({:g} {})\nSlide: {}\n{}\n", paint(exercise.id + ", " + exercise.title, bold, look),
+                       exercise.points, exercise.points == 1 ? "point" : "points", exercise.slide,
                        line ? fmt::format("{}:{}: the TODO", shortened(file), line)
                             : fmt::format("{}: the TODO is gone", shortened(file)));
 }
