@@ -134,8 +134,7 @@ std::string exerciseText(const Session& session, const Exercise& exercise, const
     const int line = exists ? todoLine(readTextFile(file), exercise.id) : 0;
     return fmt::format("{} ({:g} {})\nSlide: {}\n{}\n", paint(exercise.id + ", " + exercise.title, bold, look),
                        exercise.points, exercise.points == 1 ? "point" : "points", exercise.slide,
-                       line ? fmt::format("{}:{}: the TODO", shortened(file), line)
-                            : fmt::format("{}: the TODO is gone", shortened(file)));
+                       line ? fmt::format("{}:{}: the TODO", shortened(file), line) : shortened(file));
 }
 
 std::string resultText(const Session& session, const Exercise& exercise, const LessonRun& run, const Look& look)
