@@ -36,7 +36,8 @@ class Renderer:
 
     def __init__(self, page, where, headings):
         self.page, self.where, self.headings = page, where, headings
-        self.source, self.file = None, None  # of the next code block; of the table cell's last file
+        self.source = None  # of the next code block
+        self.file, self.row = None, False  # the last file in a row of a table
         self.rules = {"fence": self.fence, "code_block": self.fence, "html_block": self.html_block, "html_inline": self.html_inline, "ready": lambda token: token.content,
                       "image": self.image, "code_inline": self.code_inline, "math_inline": self.math, "math_block": self.math,
                       "math_inline_double": self.math}
@@ -54,7 +55,9 @@ class Renderer:
             if token.type == "heading_open":
                 self.heading(token, tokens[place + 1])
             if token.type == "tr_open":
-                self.file = None
+                self.file, self.row = None, True
+            if token.type == "tr_close":
+                self.file, self.row = None, False
             if token.type == "table_open":
                 out.append('<div class="table scrolls">')
             out.append(self.one(token, tokens, place))
@@ -124,10 +127,10 @@ class Renderer:
         token.attrs["href"] = self.page.link(token.attrs["href"], self.where)
 
     def code_inline(self, token):
-        """The name of a file leads to the file, and the name of a function after it to its line."""
+        """The name of a file leads to the file, and the name of a function after it in a table's row to its line."""
         words, address = token.content, ""
         if re.fullmatch(r"[\w.-]+(/[\w.-]+)+", words) and (ROOT / words).is_file():
-            self.file, address = ROOT / words, self.page.link_to(ROOT / words)
+            self.file, address = ROOT / words if self.row else None, self.page.link_to(ROOT / words)
         elif self.file and re.fullmatch(r"\w+", words):
             found = definition(self.file, words)
             address = self.page.link_to(self.file) + f"#L{found}" if found else ""
