@@ -9,12 +9,14 @@ A printed number agrees if it is the same when rounded to the digits of the text
 text may belong to a sum.
 """
 import concurrent.futures
+import json
 import math
 import os
 import pathlib
 import re
 import subprocess
 import sys
+import tempfile
 import tomllib
 
 from texts import LESSONS, NOTES, ROOT, blocks, finish, name, problem
@@ -23,23 +25,51 @@ BIN = pathlib.Path(sys.argv[1]).resolve()
 READ = [ROOT / "README.md", *sorted(NOTES.glob("*.md")), *(lesson / "README.md" for lesson in LESSONS)]
 DECIMAL = re.compile(r"(?<![\w.])\d+\.\d+(?:e-?\d+)?(?![\w.]*\d)|(?<![\w.])\d+e-\d+")
 PRINTED = re.compile(r"(?<![\w.])\d+(?:\.\d+)?(?:e[-+]?\d+)?")
-NOT_TEXT = r"`[^`]*`|\]\([^)]*\)|<!--.*?-->"  # code, where links lead, directives of the site
+NOT_TEXT = r"\\\\\[[\d.]+em\]|`[^`]*`|\]\([^)]*\)|<!--.*?-->"  # gaps of formulas, code, where links lead, directives
 SECONDS = 20
 
 
-def run(command):
-    """(Numbers that it prints, None), or (None, why there are none)."""
-    program, _, rest = command.partition(" ")
-    call, stdin = ([program], rest) if program == "widget_values" else ([program, *rest.split()], "")
-    try:
-        done = subprocess.run([str(BIN / call[0]), *call[1:]], cwd=ROOT, input=stdin, capture_output=True, text=True, timeout=SECONDS)
-    except (OSError, subprocess.TimeoutExpired) as error:
-        return None, str(error)
+def scene_with(edit, place, call):
+    """The call, with its scene replaced by a copy in which `old` is `new`."""
+    old, new = edit
+    changed = []
+    for word in call:
+        if word.endswith(".toml"):
+            text = (ROOT / word).read_text()
+            if text.count(old) != 1:
+                raise OSError(f"{word} has {old} {text.count(old)} times, not once")
+            (place / pathlib.Path(word).name).write_text(text.replace(old, new))
+            word = str(place / pathlib.Path(word).name)
+        changed.append(word)
+    return changed
+
+
+def run(command, edit):
+    """(Numbers that it prints or the tree that it prints as JSON, None), or (None, why there are none)."""
+    program, *call = command.split()
+    stdin, call = (" ".join(call), []) if program == "widget_values" else ("", call)
+    with tempfile.TemporaryDirectory() as place:
+        try:
+            call = scene_with(edit, pathlib.Path(place), call) if edit else call
+            done = subprocess.run([str(BIN / program), *call], cwd=ROOT, input=stdin, capture_output=True, text=True, timeout=SECONDS)
+        except (OSError, subprocess.TimeoutExpired) as error:
+            return None, str(error)
     if done.returncode:
         return None, done.stderr.strip()
     if program == "widget_values":
         return [abs(float.fromhex(word)) for word in done.stdout.split()], None
+    if done.stdout.startswith("{"):
+        return json.loads(done.stdout), None
     return [float(number) for number in PRINTED.findall(done.stdout)], None
+
+
+def numbers(printed, field=""):
+    """The numbers in it, without their signs; only those of a field such as nodes.0.radiance.0, if one is named."""
+    for key in field.split(".") if field else ():
+        printed = printed[int(key) if isinstance(printed, list) else key]
+    if isinstance(printed, (dict, list)):
+        return [one for each in (printed.values() if isinstance(printed, dict) else printed) for one in numbers(each)]
+    return [abs(printed)] if isinstance(printed, (int, float)) else []
 
 
 def half_unit(number):
@@ -105,12 +135,29 @@ def measured_lines(path, entries):
     return found
 
 
+def spot(figure):
+    return figure.get("line") or figure["begin"]
+
+
+def key(command, figure):
+    return command, tuple(figure.get("edit", ()))
+
+
+def covers(figure, line, number, lines):
+    """Whether a figure speaks of this line: by a part of it, or by parts of the first line and of the one behind the last."""
+    if "line" in figure:
+        return figure["line"] in line
+    begin = next((i for i, one in enumerate(lines, 1) if figure["begin"] in one), len(lines) + 1)
+    return begin <= number < next((i for i, one in enumerate(lines, 1) if i > begin and figure["end"] in one), len(lines) + 1)
+
+
 def check_figure(path, number, found, figure, output):
     """Compares a line's numbers with what its commands print. Returns those that are right or were complained about."""
     commands = figure["commands"]
-    failed = [command for command in commands if output[command][0] is None]
+    keys = {command: key(command, figure) for command in commands}
+    failed = [command for command in commands if output[keys[command]][0] is None]
     for command in failed:
-        problem(path, number, f"`{command}` fails: {output[command][1]}")
+        problem(path, number, f"`{command}` fails: {output[keys[command]][1]}")
     if failed:
         return set(found)
     asked = [one for one in found if one not in figure.get("given", [])]
@@ -119,7 +166,7 @@ def check_figure(path, number, found, figure, output):
         return set(found)
     for i, one in enumerate(asked):
         sources = [commands[i]] if figure.get("in_order") else commands
-        printed = [each for command in sources for each in output[command][0]]
+        printed = [each for command in sources for each in numbers(output[keys[command]][0], figure.get("field", ""))]
         if not agrees(one, printed):
             near = min(printed, key=lambda each: abs(each - float(one)), default=None)
             problem(path, number, f"{one} is not printed by `{'`, `'.join(sources)}`; the nearest number there is {near:.6g}")
@@ -128,6 +175,7 @@ def check_figure(path, number, found, figure, output):
 
 def check(path, figures, given, measured, output, used):
     blocked = [float(one) for _, language, text in blocks(path) if language == "text" for one in PRINTED.findall(text)]
+    lines = path.read_text().splitlines()
     skipped, count = measured_lines(path, measured), 0
     for number, line, fenced in prose(path):
         found = DECIMAL.findall(line)
@@ -137,9 +185,9 @@ def check(path, figures, given, measured, output, used):
         covered |= {one for one in found if one in given}
         used |= {(name(path), one) for one in found if one in given}
         rest = [one for one in found if one not in covered]
-        matching = [i for i, figure in enumerate(figures) if figure["line"] in line]
+        matching = [i for i, figure in enumerate(figures) if covers(figure, line, number, lines)]
         for i in matching:
-            used.add((name(path), figures[i]["line"]))
+            used.add((name(path), spot(figures[i])))
             ordered = figures[i].get("in_order")
             covered |= check_figure(path, number, found if ordered else rest, figures[i], output)
         for one in found:
@@ -150,15 +198,15 @@ def check(path, figures, given, measured, output, used):
 
 
 book = tomllib.loads((ROOT / "tests/course/figures.toml").read_text())
-commands = sorted({command for figure in book["figure"] for command in figure["commands"]})
+commands = sorted({key(command, figure) for figure in book["figure"] for command in figure["commands"]})
 with concurrent.futures.ThreadPoolExecutor(min(2, os.cpu_count())) as pool:
-    output = dict(zip(commands, pool.map(run, commands)))
+    output = dict(zip(commands, pool.map(lambda one: run(*one), commands)))
 used, count = set(), 0
 for path in READ:
     of = {kind: [entry for entry in book[kind] if entry["note"] == name(path)] for kind in ("figure", "given", "measured")}
     given = {one for entry in of["given"] for one in entry["numbers"]}
     count += check(path, of["figure"], given, of["measured"], output, used)
-    for what in sorted(given | {figure["line"] for figure in of["figure"]}):
+    for what in sorted(given | {spot(figure) for figure in of["figure"]}):
         if (name(path), what) not in used:
             problem(path, 1, f"tests/course/figures.toml names \"{what}\", which no line with a number has any more")
 finish(f"{count} numbers, {len(commands)} commands")
