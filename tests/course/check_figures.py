@@ -87,6 +87,7 @@ def value(side):
     side = re.sub(r"\\(thinspace|left|right)|&|\\\\(\[[^]]*\])?|\^\\circ|\\,", "", side).strip().rstrip(",. ")
     side = re.sub(r"\\frac\{([^{}]*)\}\{([^{}]*)\}", r"((\1)/(\2))", side)
     side = re.sub(r"\\sqrt\{([^{}]*)\}", r"sqrt(\1)", side).replace(r"\cdot", "*").replace("^", "**")
+    side = re.sub(r"\*\*\{(\d+)\}", r"**\1", side)
     side = re.sub(r"([\d)])\s*\(", r"\1*(", side)
     if not re.fullmatch(r"(sqrt|[\d.+\-*/() ])+", side):
         return None
