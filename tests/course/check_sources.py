@@ -70,7 +70,9 @@ def check_small_steps():
     """Neighbouring lessons differ by at most 40 lines; a function of the same name has the same text, unless the later
     lesson's README says "changes `name`"."""
     tracing = [lesson for lesson in LESSONS if (lesson / "trace.h").exists()]
-    for before, after in zip(tracing, tracing[1:]):
+    for after in tracing[1:]:
+        # Lesson 10 is a study with a tracer of its own, without an entry: none builds on it.
+        before = [one for one in tracing if one < after and (one / "entry.cpp").exists()][-1]
         a, b = plain(before), plain(after)
         changed = [line for line in difflib.ndiff(a.splitlines(), b.splitlines()) if line[0] in "+-" and line[2:].strip()]
         if len(changed) > 40:
@@ -123,10 +125,12 @@ def check_lessons_are_complete():
 def check_cases_belong_to_exercises():
     """Each group of a lesson's own cases (but Picture) is about an exercise, and exercises name no others. "A + B" is two."""
     groups = {}
-    files = dict(zip(range(9), ["lesson00_cases", *(f"cases_{name}" for name in
-                 ("direct", "mirror", "partial", "sky", "refraction", "fresnel", "caps", "phong"))]))
-    for lesson, name in files.items():
-        text = (ROOT / f"tests/lessons/{name}.cpp").read_text()
+    for path in [ROOT / "tests/lessons/lesson00_cases.cpp", *sorted(ROOT.glob("tests/lessons/cases_*.cpp"))]:
+        text = path.read_text()
+        lesson = 0 if path.stem == "lesson00_cases" else int((re.match(r"// Lesson (\d\d)\b", text) or [0, -1])[1])
+        if lesson < 0:
+            problems.append(f"tests/lessons/{path.name}:1: expected a first line like // Lesson 08: what its cases are about")
+            continue
         groups[lesson] = set(re.findall(r'\{"([A-Z]\w*)",\s*"[A-Z]\w*",', text)) - {"Picture"}
     with open(ROOT / "lessons/exercises.toml", "rb") as file:
         exercises = tomllib.load(file)["exercise"]
