@@ -31,6 +31,14 @@ def raw(markup):
     return token
 
 
+def keep_punctuation(tokens):
+    """What follows a formula without a space becomes part of it: a browser may break the line after a formula."""
+    for formula, text in zip(tokens, tokens[1:]):
+        if formula.type == "math_inline" and text.type == "text" and (mark := re.match(r"[,.;:)?!]+", text.content)):
+            formula.content += rf"\text{{{mark[0]}}}"
+            text.content = text.content[mark.end():]
+
+
 class Renderer:
     """Markdown of one file -> HTML. `page` knows links, pictures and formulas; `where` is for messages."""
 
@@ -85,6 +93,7 @@ class Renderer:
         return parser.renderer.renderToken(tokens, place, parser.options, {})
 
     def inlines(self, tokens):
+        keep_punctuation(tokens or [])
         return "".join(parser.renderer.rules[token.type](tokens, place, parser.options, {})
                        if token.type in ("text", "softbreak", "hardbreak") else self.one(token, tokens, place)
                        for place, token in enumerate(tokens or []))
