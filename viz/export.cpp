@@ -18,22 +18,34 @@ namespace
 
 namespace fs = std::filesystem;
 
-constexpr const char* formats[] = {".json", ".vtp", ".glb", ".gltf", ".html"};
-
-bool isFormat(const std::string& extension)
+std::string page(const Controller& shown)
 {
-    return std::find(std::begin(formats), std::end(formats), extension) != std::end(formats);
+    const auto& tree = shown.tree();
+    return htmlPage(
+        {tree, shown.scene(), shown.picture(), shown.source().title, listingText(tree.source), lectureFormulas()});
 }
 
-std::string contents(const std::string& format, const Controller& controller)
+struct Format
 {
-    const auto& tree = controller.tree();
-    if (format == ".json") return toJson(tree);
-    if (format == ".vtp") return vtpText(tree, controller.scene());
-    if (format == ".glb") return gltfBinary(tree, controller.scene());
-    if (format == ".gltf") return gltfText(tree, controller.scene());
-    return htmlPage({tree, controller.scene(), controller.picture(), controller.source().title,
-                     listingText(tree.source), lectureFormulas()});
+    const char* extension;
+    std::string (*contents)(const Controller& shown);
+};
+
+constexpr Format formats[] = {
+    {".json", [](const Controller& shown) { return toJson(shown.tree()); }},
+    {".vtp", [](const Controller& shown) { return vtpText(shown.tree(), shown.scene()); }},
+    {".glb", [](const Controller& shown) { return gltfBinary(shown.tree(), shown.scene()); }},
+    {".gltf", [](const Controller& shown) { return gltfText(shown.tree(), shown.scene()); }},
+    {".html", page},
+};
+
+/// That of the file's name, or nothing.
+const Format* formatOf(const std::string& path)
+{
+    const auto extension = fs::path(path).extension();
+    for (const auto& format : formats)
+        if (extension == format.extension) return &format;
+    return nullptr;
 }
 
 void makeFolder(const std::string& path)
@@ -51,7 +63,7 @@ void makeFolder(const std::string& path)
 
 void checkExport(const std::string& path)
 {
-    if (isFormat(fs::path(path).extension())) return checkFolder(path);
+    if (formatOf(path)) return checkFolder(path);
     makeFolder(path);
     checkFolder(path + "/picture.png"); // a name in it
 }
@@ -60,16 +72,17 @@ std::vector<std::string> exportTo(const std::string& path, const Controller& con
 {
     checkExport(path);
     std::vector<std::string> files;
-    const auto write = [&](const std::string& file, const std::string& format) {
-        writeTextFile(file, contents(format, controller));
+    const auto write = [&](const std::string& file, const Format& format) {
+        writeTextFile(file, format.contents(controller));
         files.push_back(file);
     };
-    if (isFormat(fs::path(path).extension()))
+    if (const auto* format = formatOf(path))
     {
-        write(path, fs::path(path).extension());
+        write(path, *format);
         return files;
     }
-    for (const auto* format : formats) write((fs::path(path) / (std::string("ray_tree") + format)).string(), format);
+    for (const auto& format : formats)
+        write((fs::path(path) / (std::string("ray_tree") + format.extension)).string(), format);
     if (controller.picture().width > 0)
     {
         files.push_back((fs::path(path) / "picture.png").string());
