@@ -38,6 +38,8 @@ def check(scene):
         problem(scene, 1, "the ray through its pixel meets nothing")
 
 
+if not (BIN / "render").exists():
+    sys.exit(f"check_scenes: {BIN} has no program `render`; build everything first")
 found = scenes()
 with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
     list(pool.map(check, found))

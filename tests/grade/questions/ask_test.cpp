@@ -135,7 +135,9 @@ TEST_P(Lesson, ThatIsSolvedGetsFullMarksWithAnySecret)
             all += one.most;
             if (!one.hidden) shown += one.most;
         }
-        EXPECT_NEAR(all, points, 1e-9);
+        EXPECT_NEAR(all, points, 1e-9)
+            << "points that questions give, and points in lessons/exercises.toml: an exercise has "
+               "no class of questions in an ask_*.cpp";
         EXPECT_NEAR(shown, 0.3 * points, 1e-9);
     }
 }
