@@ -49,8 +49,8 @@ def new_lines(lesson):
     old, new, numbers = compared(lesson.before.source), compared(lesson.source), [n for n, _ in lines_of(lesson.source)]
     added, gone = set(), 0
     for operation, i1, i2, j1, j2 in difflib.SequenceMatcher(None, old, new, autojunk=False).get_opcodes():
-        # Where both say the same, a function ends with its own brace instead of the one before it.
-        while operation == "insert" and j2 < len(new) and new[j1] == new[j2] and new[j1].strip() in ("}", "};"):
+        # Where both say the same, a function ends with its own last lines instead of those of the one before it.
+        while operation == "insert" and j2 < len(new) and new[j1] == new[j2]:
             j1, j2 = j1 + 1, j2 + 1
         if operation != "equal":
             added.update(numbers[j] for j in range(j1, j2) if new[j].strip())

@@ -39,6 +39,12 @@ def keep_punctuation(tokens):
             text.content = text.content[mark.end():]
 
 
+def words(text):
+    """No line begins with a unit, and the signs of C++ stand close together."""
+    text = re.sub(r"(?<=\d) (?=(dB|ns|ms)\b|%)", "\N{NO-BREAK SPACE}", html.escape(text, quote=False))
+    return text.replace("++", '<span class="close">++</span>')
+
+
 class Renderer:
     """Markdown of one file -> HTML. `page` knows links, pictures and formulas; `where` is for messages."""
 
@@ -94,8 +100,9 @@ class Renderer:
 
     def inlines(self, tokens):
         keep_punctuation(tokens or [])
-        return "".join(parser.renderer.rules[token.type](tokens, place, parser.options, {})
-                       if token.type in ("text", "softbreak", "hardbreak") else self.one(token, tokens, place)
+        return "".join(words(token.content) if token.type == "text"
+                       else parser.renderer.rules[token.type](tokens, place, parser.options, {})
+                       if token.type in ("softbreak", "hardbreak") else self.one(token, tokens, place)
                        for place, token in enumerate(tokens or []))
 
     def heading(self, token, inline):

@@ -85,7 +85,7 @@ class Context:
         place = f'<a href="{self.link_to(one.source)}"><code>{one.source.relative_to(ROOT)}</code></a>'
         if one.before:
             count = f"{len(new)} lines are new" + (f" and {gone} gone" if gone else "")
-            said = f'{place}. Against <a href="{self.root}{one.before.page}">lesson {one.before.number}</a> {count}; what is new is marked.'
+            said = f'{place}. Against <a href="{self.root}{one.before.page}">lesson {one.before.number}</a>, {count}; what is new is marked.'
         else:
             said = f"{place}. All of it is new here."
         slide = f" Slides: {html.escape(one.slides)}." if one.number != "10" else ""
