@@ -154,6 +154,17 @@ TEST(CoarsePictures, HandOverTheNewestOnce)
     EXPECT_TRUE(pictures.take(1h));
 }
 
+TEST(CoarsePictures, APainterThatWaitsToGoOnIsStopped)
+{
+    CoarsePictures pictures;
+    std::atomic<bool> stop = false;
+    auto waiting = std::async(std::launch::async, [&] { pictures.awaitGoOn(&stop); });
+    EXPECT_EQ(waiting.wait_for(20ms), std::future_status::timeout) << "nobody said that it may go on";
+    stop = true;
+    EXPECT_EQ(waiting.wait_for(10s), std::future_status::ready);
+    pictures.goOn(); // so that a failure ends, too
+}
+
 /// Lesson 2, small; what is painted with a cap of n is n all over, after as many passes as `paint` makes of it.
 Session paintedSession(std::function<void(const Image&, const RenderOptions&)> paint)
 {
