@@ -272,13 +272,14 @@ int view(const ViewerOptions& options, char** argv)
     LateWindow window(controller, width, height, !options.isHeadless() || !options.play.empty());
     if (!options.play.empty()) window().replay(options.play);
     runScript(commands, scriptHost(controller, window));
-    if (!options.exportTo.empty()) exportAndTell(options.exportTo, controller);
     if (!options.screenshot.empty())
     {
         controller.wait();
         writeImage(window().picture(), options.screenshot);
         std::cerr << fmt::format("{}: {}x{} pixels\n", options.screenshot, width, height);
     }
+    // After the picture, which is not about the files.
+    if (!options.exportTo.empty()) exportAndTell(options.exportTo, controller);
     if (!options.isHeadless()) window().run(options.record);
     if (!options.state.empty()) writeTextFile(options.state, stateJson(controller));
     return exitDone;
