@@ -18,7 +18,7 @@ std::string front(const SceneStudy& study, bool many)
     for (const auto& row : study.rows)
         if (many ? row.manyFront : row.front) rows.push_back(&row);
     std::sort(rows.begin(), rows.end(), [](const Row* a, const Row* b) { return a->cpuSeconds < b->cpuSeconds; });
-    std::string text = "| setting | ns a pixel | rays a pixel | PSNR |\n| --- | --- | --- | --- |\n";
+    std::string text = "| setting | ns a pixel | rays a pixel | PSNR |\n| --- | ---: | ---: | ---: |\n";
     for (const auto* row : rows)
         text += fmt::format("| {} | {:.0f} | {:.2f} | {} |\n", describe(row->setting), row->nsPerPixel(),
                             row->rays.perPixel, decibelText(many ? row->manyErrors.psnr : row->errors.psnr));
@@ -30,7 +30,7 @@ std::string knob(const SceneStudy& study, const std::string& name)
 {
     std::string text = "| setting | ns a pixel | of the baseline | rays a pixel | ns a ray | PSNR | largest error | "
                        "pixels off by 1/255 |\n"
-                       "| --- | --- | --- | --- | --- | --- | --- | --- |\n";
+                       "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n";
     for (const auto& row : study.rows)
         if (row.knob == name || row.knob == "baseline")
             text +=

@@ -3,6 +3,7 @@ import json
 import re
 import subprocess
 
+import typography
 from course import SiteError
 
 SCRIPT = __file__.rsplit("/", 1)[0] + "/typeset.js"
@@ -32,7 +33,7 @@ class Formulas:
             if "error" in result:
                 raise SiteError(f"{self.waiting[tex, display][1]}: the formula {tex} cannot be typeset: {result['error']}")
             html = result["html"]
-            self.results.append(f'<div class="formula scrolls">{html}</div>' if display else html)
+            self.results.append(f'<div class="formula scrolls">{html}</div>' if display else typography.formula(tex, html))
 
     def fill(self, html):
         return re.sub("\ue000(\\d+)\ue001", lambda match: self.results[int(match[1])], html)

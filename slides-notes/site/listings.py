@@ -41,21 +41,27 @@ def compared(path):
     return [re.sub(r"lesson\d\d", "lessonNN", re.sub(r"^// Lesson .*", "// Lesson", line)) for _, line in lines_of(path)]
 
 
-@functools.cache
-def new_lines(lesson):
-    """(numbers of the lines that the lesson before has not, how many of its lines are gone)."""
-    if not lesson.before:
-        return frozenset(), 0
-    old, new, numbers = compared(lesson.before.source), compared(lesson.source), [n for n, _ in lines_of(lesson.source)]
-    added, gone = set(), 0
+def added(old, new):
+    """(places of the lines that only `new` has, how many lines with words only `old` has)."""
+    places, gone = [], 0
     for operation, i1, i2, j1, j2 in difflib.SequenceMatcher(None, old, new, autojunk=False).get_opcodes():
         # Where both say the same, a function ends with its own last lines instead of those of the one before it.
         while operation == "insert" and j2 < len(new) and new[j1] == new[j2]:
             j1, j2 = j1 + 1, j2 + 1
         if operation != "equal":
-            added.update(numbers[j] for j in range(j1, j2) if new[j].strip())
+            places += range(j1, j2)
             gone += sum(1 for line in old[i1:i2] if line.strip())
-    return frozenset(added), gone
+    return places, gone
+
+
+@functools.cache
+def new_lines(lesson):
+    """(numbers of the lines that the lesson before has not, how many of its lines are gone)."""
+    if not lesson.before:
+        return frozenset(), 0
+    new, numbers = compared(lesson.source), [n for n, _ in lines_of(lesson.source)]
+    places, gone = added(compared(lesson.before.source), new)
+    return frozenset(numbers[j] for j in places if new[j].strip()), gone
 
 
 def find(path, excerpt):

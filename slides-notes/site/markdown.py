@@ -8,6 +8,7 @@ from mdit_py_plugins.dollarmath import dollarmath_plugin
 
 import directives
 import listings
+import typography
 from course import ROOT, SiteError
 
 parser = MarkdownIt("commonmark", {"html": True}).enable("table").use(
@@ -37,12 +38,6 @@ def keep_punctuation(tokens):
         if formula.type == "math_inline" and text.type == "text" and (mark := re.match(r"[,.;:)?!]+", text.content)):
             formula.content += rf"\text{{{mark[0]}}}"
             text.content = text.content[mark.end():]
-
-
-def words(text):
-    """No line begins with a unit, and the signs of C++ stand close together."""
-    text = re.sub(r"(?<=\d) (?=(dB|ns|ms)\b|%)", "\N{NO-BREAK SPACE}", html.escape(text, quote=False))
-    return text.replace("++", '<span class="close">++</span>')
 
 
 class Renderer:
@@ -100,7 +95,7 @@ class Renderer:
 
     def inlines(self, tokens):
         keep_punctuation(tokens or [])
-        return "".join(words(token.content) if token.type == "text"
+        return "".join(typography.words(token.content) if token.type == "text"
                        else parser.renderer.rules[token.type](tokens, place, parser.options, {})
                        if token.type in ("softbreak", "hardbreak") else self.one(token, tokens, place)
                        for place, token in enumerate(tokens or []))
@@ -130,7 +125,10 @@ class Renderer:
     def figure(self, image):
         words, address = plain(image), self.page.picture_at(image.attrs["src"], self.where)
         wide = " wide" if self.page.is_wide(address) else ""
-        return (f'<figure class="picture{wide}">{self.page.image(address, words)}'
+        shown = self.page.image(address, words)
+        if address.endswith(".svg"):  # its words must stay readable
+            shown = f'<div class="drawing scrolls">{shown}</div>'
+        return (f'<figure class="picture{wide}">{shown}'
                 f'<figcaption aria-hidden="true">{html.escape(words)}</figcaption></figure>\n')
 
     def image(self, token):
@@ -150,8 +148,7 @@ class Renderer:
         elif self.file and re.fullmatch(r"\w+", words):
             found = definition(self.file, words)
             address = self.page.link_to(self.file) + f"#L{found}" if found else ""
-        shown = html.escape(words).replace("/", "/<wbr>") if address else html.escape(words)
-        code = f"<code>{shown}</code>"
+        code = f"<code>{typography.code(words, self.row, bool(address))}</code>"
         return f'<a href="{address}">{code}</a>' if address and not self.page.inside_link else code
 
     def fence(self, token):
@@ -163,7 +160,8 @@ class Renderer:
             if not path.is_file() or not listings.find(path, token.content):
                 raise SiteError(f"{self.where}: an excerpt does not stand in {source}")
             return listings.excerpt(path, token.content, self.page.excerpt_caption(path, token.content))
-        rows = [f'<span class="line">{piece}\n</span>' for piece in listings.coloured(token.content, language)]
+        pieces = listings.coloured(token.content, language)
+        rows = [f'<span class="line">{piece}\n</span>' for piece in (map(typography.command, pieces) if language == "sh" else pieces)]
         return f'<div class="listing {language}">{listings.block(rows, "Commands" if language == "sh" else "Code")}</div>\n'
 
     def html_block(self, token):

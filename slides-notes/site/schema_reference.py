@@ -1,4 +1,5 @@
 """The ray tree's JSON schema as tables, in Markdown."""
+from course import SiteError
 
 
 def kind(schema, definitions):
@@ -39,7 +40,9 @@ def table(title, schema, definitions, level=2):
     required = set(schema.get("required", []))
     lines = [f"{'#' * level} {title}", "", "| key | value | always | meaning |", "| --- | --- | --- | --- |"]
     for key, value in schema["properties"].items():
-        meaning = value.get("description", "").replace("|", "\\|").replace("*", "\\*")
+        if "description" not in value:
+            raise SiteError(f"common/ray_tree.schema.json: '{key}' of '{title}' has no description")
+        meaning = value["description"].replace("|", "\\|").replace("*", "\\*")
         lines.append(f"| `{key}` | {kind(value, definitions)} | {'yes' if key in required else ''} | {meaning} |")
     parts = ["\n".join(lines)]
     for key, value in schema["properties"].items():

@@ -21,6 +21,11 @@ def in_order(values):
     return list(dict.fromkeys(values))
 
 
+CAPTIONS = {"spheres": "What a ray costs among one to a million spheres", "memory": "Memory a sphere takes, with its share of the scene",
+            "depth": "The time of a picture as rays may go deeper", "resolution": "The time of a picture of more pixels",
+            "lights": "The time of a picture with more lamps", "threads": "Pictures a second with more threads"}
+
+
 def plots(rows):
     """File name -> SVG."""
     files, growth = {}, rows.get("growth", [])
@@ -73,7 +78,7 @@ def growth_text(rows, folder, files):
     text = table(["spheres", "ns a ray", "bytes a sphere", "built in, CPU ms"],
                  [[f"{r['x']:,}", number(r["ns_a_ray"]), number(r["bytes_a_sphere"]), number(r["build_cpu_seconds"] * 1e3)] for r in spheres])
     for name in files:
-        text += f"\n![{name[:-4]}]({folder}{name})\n"
+        text += f"\n![{CAPTIONS[name[:-4]]}]({folder}{name})\n"
     return text
 
 
@@ -119,7 +124,7 @@ def page(rows, options, machine, folder):
         found = rows["parts"]
         reals = [real for real in ("float", "double", "long-double") if only(found, real=real)]
         text += "\n## Parts\n\nNanoseconds of CPU time a call. Box: one box in scalar code, as in textbooks; node: a tree of eight spheres.\n\n"
-        text += table(["part", "scene", *reals],
+        text += table(["part", "scene", *(real.replace("-", " ") for real in reals)],
                       [[part, scene, *(cell(one(found, part=part, scene=scene, real=real), "cpu_ns") for real in reals)]
                        for part in PARTS for scene in sorted({r["scene"] for r in only(found, part=part)})])
     if "growth" in rows:

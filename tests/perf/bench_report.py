@@ -2,6 +2,7 @@
 import csv
 import io
 import math
+import re
 from xml.sax.saxutils import escape
 
 # Okabe and Ito's colours, which differ for all eyes.
@@ -72,9 +73,11 @@ def svg(title, x_name, y_name, curves):
 
 
 def table(head, rows):
-    lines = ["| " + " | ".join(head) + " |", "|" + " --- |" * len(head)]
-    lines[1] = "| " + " | ".join(["---"] * len(head)) + " |"
-    return "\n".join(lines + ["| " + " | ".join(str(cell) for cell in row) + " |" for row in rows]) + "\n"
+    """Markdown. Columns of numbers stand to the right."""
+    number = re.compile(r"-|[\d.,]+( \([\d.,]+\))?")
+    rows = [[str(cell) for cell in row] for row in rows]
+    rule = ["---:" if rows and all(number.fullmatch(cell) for cell in column) else "---" for column in zip(*rows)] or ["---"] * len(head)
+    return "\n".join("| " + " | ".join(row) + " |" for row in [head, rule, *rows]) + "\n"
 
 
 def replace_section(text, name, section):
