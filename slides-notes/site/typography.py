@@ -15,6 +15,7 @@ def words(text):
     text = re.sub(r"(?<=\d) (?=(dB|ns|ms|B|MiB|GiB)\b|%)", NBSP, text)
     text = re.sub(r"(?<=\d) / (?=\d)", f"{NBSP}/{NBSP}", text)
     text = re.sub(r"(?<=\S) (<=|>=|[<>=]) (?=\S)", rf"{NBSP}\1{NBSP}", text)
+    text = re.sub(r"\((-?[\d.]+, )+-?[\d.]+\)", lambda found: found[0].replace(" ", NBSP), text)
     text = html.escape(text, quote=False)
     text = re.sub(r"\b[\w.]*\d(-\w+)+|\b\w+(-\d\w*)+", lambda found: whole(found[0]), text)
     return text.replace("++", '<span class="close">++</span>')

@@ -33,6 +33,9 @@ class Words(unittest.TestCase):
     def test_a_row_of_numbers_stays_together(self):
         self.assertEqual(typography.words("0.0 / 0.3 / 1, and / or"), f"0.0{NBSP}/{NBSP}0.3{NBSP}/{NBSP}1, and / or")
 
+    def test_a_point_stays_together(self):
+        self.assertEqual(typography.words("(-4, 1, 1.5) or (a, 1)"), f"(-4,{NBSP}1,{NBSP}1.5) or (a, 1)")
+
     def test_the_signs_of_the_language_stand_close(self):
         self.assertEqual(typography.words("C++"), 'C<span class="close">++</span>')
 
