@@ -15,7 +15,8 @@ namespace rt::grade
 namespace
 {
 
-constexpr double patience = 5; // seconds: far more than it needs, as the machine may be busy
+// Seconds: far more than anything here needs, as a machine that grades is busy. Where the sandbox holds, nobody waits.
+constexpr double patience = 30;
 
 /// What the probe does; empty: as it should.
 using Finding = std::string;
@@ -68,6 +69,7 @@ Finding triedAll(const Box& box)
     // This one takes its second beside the others.
     Limits limits;
     limits.cpuSeconds = 1;
+    limits.wallSeconds = 2 * patience; // its second of processor time must end it, not the clock
     Child spinning(box, GRADE_PROBE, limits);
     spinning.send("cpu\n", patience);
 
