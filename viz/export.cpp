@@ -2,6 +2,8 @@
 
 #include <filesystem>
 
+#include <unistd.h>
+
 #include <fmt/format.h>
 
 #include "lessons/formulas.h"
@@ -48,15 +50,18 @@ const Format* formatOf(const std::string& path)
     return nullptr;
 }
 
+[[noreturn]] void refuse(const std::string& path, const std::string& reason)
+{
+    throw std::runtime_error(fmt::format("{}: expected a folder, or a file that ends in .json, .vtp, .glb, .gltf or "
+                                         ".html; the folder cannot be made: {}",
+                                         path, reason));
+}
+
 void makeFolder(const std::string& path)
 {
     std::error_code error;
     fs::create_directories(path, error);
-    if (error || !fs::is_directory(path))
-        throw std::runtime_error(
-            fmt::format("{}: expected a folder, or a file that ends in .json, .vtp, .glb, .gltf or "
-                        ".html; the folder cannot be made{}",
-                        path, error ? ": " + error.message() : ""));
+    if (error) refuse(path, error.message());
 }
 
 } // namespace
@@ -64,13 +69,18 @@ void makeFolder(const std::string& path)
 void checkExport(const std::string& path)
 {
     if (formatOf(path)) return checkFolder(path);
-    makeFolder(path);
-    checkFolder(path + "/picture.png"); // a name in it
+    // Nothing is made yet: what is there of the path must be a folder that can be written to.
+    std::error_code error;
+    fs::path there = fs::absolute(path);
+    while (!fs::exists(there, error) && there != there.parent_path()) there = there.parent_path();
+    if (!fs::is_directory(there, error)) refuse(path, there.string() + " is no folder");
+    if (access(there.c_str(), W_OK) != 0) refuse(path, there.string() + " is not writable");
 }
 
 std::vector<std::string> exportTo(const std::string& path, const Controller& controller)
 {
     checkExport(path);
+    if (!formatOf(path)) makeFolder(path);
     std::vector<std::string> files;
     const auto write = [&](const std::string& file, const Format& format) {
         writeTextFile(file, format.contents(controller));

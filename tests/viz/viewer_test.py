@@ -150,7 +150,13 @@ class Viewer(unittest.TestCase):
     def test_an_export_that_cannot_be_written_is_refused_before_anything_is_traced(self):
         self.assertIn("missing", self.refused(6, "--export", "missing/tree.json"))
         self.write("file", "")
-        self.refused(6, "--export", "file")
+        self.write("broken.toml", "this is no scene")
+        for path in ("file", "file/deep"):
+            self.assertIn("file is no folder", self.refused("broken.toml", "--export", path))
+
+    def test_a_folder_for_exports_is_made_when_there_is_something_to_export(self):
+        self.write("broken.toml", "this is no scene")
+        self.assertIn("broken.toml:1:", self.refused("broken.toml", "--export", "out/deep"))
 
     def test_whatever_cannot_be_written_is_refused_before_anything_is_traced(self):
         self.write("broken.toml", "this is no scene")  # what would be said, were the scene read first
