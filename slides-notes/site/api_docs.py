@@ -16,8 +16,8 @@ from markdown import slug
 # Doxygen 1.9.4 stumbles over specialisations of std:: templates, so it does not see them; line numbers stay.
 SETTINGS = """
 INPUT = {headers}
-OUTPUT_DIRECTORY = {out}
-STRIP_FROM_PATH = {root}
+OUTPUT_DIRECTORY = "{out}"
+STRIP_FROM_PATH = "{root}"
 GENERATE_HTML = NO
 GENERATE_LATEX = NO
 GENERATE_XML = YES
@@ -44,7 +44,7 @@ def read(cache):
         return folder
     cache.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=cache) as place:
-        settings = SETTINGS.format(headers=" ".join(map(str, headers)), out=place, root=ROOT)
+        settings = SETTINGS.format(headers=" ".join(str(header.relative_to(ROOT)) for header in headers), out=place, root=ROOT)
         try:
             done = subprocess.run(["doxygen", "-"], input=settings, capture_output=True, text=True, cwd=ROOT, check=False)
         except FileNotFoundError:

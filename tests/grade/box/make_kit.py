@@ -33,10 +33,11 @@ def headers(compiler):
     for source in SOURCES:
         if source.endswith("exercise.student.cpp"):
             continue
-        made = subprocess.run([compiler, "-std=c++20", "-x", "c++", f"-I{ROOT}", "-MM", source], cwd=ROOT, check=True,
+        # -I. and no whole path: make would have its blanks escaped.
+        made = subprocess.run([compiler, "-std=c++20", "-x", "c++", "-I.", "-MM", source], cwd=ROOT, check=True,
                               capture_output=True, text=True).stdout
         files |= {pathlib.Path(word) for word in re.sub(r"\\\n", " ", made).split()[1:]}
-    files = {file.relative_to(ROOT) if file.is_absolute() else file for file in files} | {pathlib.Path(SOURCES[1])}
+    files.add(pathlib.Path(SOURCES[1]))
     for file in files:
         if "trace.h" == file.name or file.name == "geometry.h" or "questions" in file.parts or "box" in file.parts:
             sys.exit(f"make_kit.py: {file} holds solutions and must not be in a kit")
