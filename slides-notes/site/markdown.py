@@ -143,7 +143,7 @@ class Renderer:
     def code_inline(self, token):
         """The name of a file leads to the file, and the name of a function after it in a table's row to its line."""
         words, address = token.content, ""
-        if re.fullmatch(r"[\w.-]+(/[\w.-]+)+", words) and (ROOT / words).is_file():
+        if re.fullmatch(r"(?!out/|build/)[\w.-]+(/[\w.-]+)+", words) and (ROOT / words).is_file():
             self.file, address = ROOT / words if self.row else None, self.page.link_to(ROOT / words)
         elif self.file and re.fullmatch(r"\w+", words):
             found = definition(self.file, words)
