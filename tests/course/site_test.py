@@ -155,8 +155,8 @@ OVERFLOW = """
     for (const e of document.querySelectorAll('main *'))
       if (e.getBoundingClientRect().right > wide + 1 && !e.closest('.scrolls, .hidden')) { problems.push(`${e.tagName}.${e.className}`); break; }
   }
-  for (const e of document.querySelectorAll('article img, article iframe, article .table'))
-    if (e.getBoundingClientRect().right > wide + 1) problems.push(`${e.tagName} ${e.getAttribute('src') || e.className} leaves the page`);
+  for (const e of document.querySelectorAll('article img, article iframe, article .table, article .drawing'))
+    if (e.getBoundingClientRect().right > wide + 1 && !e.matches('.drawing *')) problems.push(`${e.tagName} ${e.getAttribute('src') || e.className} leaves the page`);
   return problems;"""
 
 AXE_RUN = """

@@ -6,6 +6,7 @@
 import json
 import os
 import pathlib
+import shlex
 import stat
 import subprocess
 import sys
@@ -250,7 +251,7 @@ class Viewer(unittest.TestCase):
 
     def test_an_exercise_is_shown_through_its_program(self):
         solved = PROGRAMS / "lesson06"
-        state = self.state(6, SCENE, "--tracer", solved, script="pick 320 240")
+        state = self.state(6, SCENE, "--tracer", shlex.quote(str(solved)), script="pick 320 240")
         again = self.state(6, SCENE, script="pick 320 240")
         self.assertEqual(state["radiance"], again["radiance"])
         self.assertEqual(state["source"], "lesson06")
