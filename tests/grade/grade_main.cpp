@@ -15,6 +15,7 @@
 #include "common/image.h"
 #include "common/scene_text.h"
 #include "tests/grade/class_run.h"
+#include "tests/grade/questions/manifest.h"
 #include "tests/grade/report/files.h"
 #include "tests/grade/report/text.h"
 
@@ -41,8 +42,9 @@ struct Options
 
 void addOptions(CLI::App& app, Options& options)
 {
-    app.add_option("lesson", options.lesson, "number of the lesson, 0 to 8")
-        ->check(CLI::Range(0, 8))
+    const int first = exerciseLessons().front(), last = exerciseLessons().back();
+    app.add_option("lesson", options.lesson, fmt::format("number of the lesson, {} to {}", first, last))
+        ->check(CLI::Range(first, last))
         ->type_name("LESSON");
     auto* many = app.add_option("--submissions", options.submissions,
                                 "folder of the class: each entry is a student's folder, archive or file")

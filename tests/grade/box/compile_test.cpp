@@ -13,6 +13,7 @@
 #include "tests/grade/box/child.h"
 #include "tests/grade/box/compiler_messages.h"
 #include "tests/grade/box/source_text.h"
+#include "tests/grade/questions/manifest.h"
 
 namespace rt::grade
 {
@@ -60,7 +61,7 @@ std::string all(const Compiled& result)
 
 TEST_F(Compiling, MakesAProgramOfEachExercise)
 {
-    for (int lesson = 0; lesson <= 8; ++lesson)
+    for (const int lesson : exerciseLessons())
     {
         const auto result = compiled(lesson, exerciseOf(lesson));
         ASSERT_TRUE(result.ok) << lesson << ": " << all(result);

@@ -22,7 +22,6 @@ import tarfile
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 TEMPLATES = pathlib.Path(__file__).resolve().parent / "handout"
 MARKER = ".raytree-handout"  # says that a folder is a hand-out, and how its files were
-LAST = 8
 sys.path.insert(0, str(ROOT / "lessons"))
 sys.dont_write_bytecode = True
 import make_exercises  # noqa: E402
@@ -38,9 +37,7 @@ ENGINE = ["tests/grade/result.*", "tests/grade/candidate.h", "tests/grade/box/*"
 # What needs lessons, mistakes or a sandbox.
 NOT_ENGINE = re.compile(r"_test\.cpp$|/mistakes_main\.cpp$|\.md$|/probe\.|/launch_main|/selftest|/seccomp\.cpp|/reference|"
                         r"/misbehaving|\.cmake$")
-CASE_FILES = {1: "direct", 2: "mirror", 3: "partial", 4: "sky", 5: "refraction", 6: "fresnel", 7: "caps", 8: "phong"}
-CASE_FUNCTIONS = {1: "directCases", 2: "mirrorCases", 3: "partialCases", 4: "skyCases", 5: "refractionCases",
-                  6: "fresnelCases", 7: "capCases", 8: "phongCases"}
+LESSONS = sorted({entry["lesson"] for entry in make_exercises.manifest().values()})  # those that have exercises
 
 
 class Refused(Exception):
@@ -50,9 +47,20 @@ class Refused(Exception):
 def lesson_range(text):
     found = re.fullmatch(r"(\d+)(?:-(\d+))?", text)
     first, last = (int(found[1]), int(found[2] or found[1])) if found else (1, 0)
-    if not found or first > last or last > LAST:
-        raise Refused(f"--lessons {text}: expected numbers from 0 to {LAST}, as in 0-3")
-    return range(first, last + 1)
+    chosen = [lesson for lesson in LESSONS if first <= lesson <= last]
+    if not chosen or chosen[0] != first or chosen[-1] != last:
+        raise Refused(f"--lessons {text}: expected numbers from {LESSONS[0]} to {LESSONS[-1]} of lessons that have exercises, as in 0-3")
+    return chosen
+
+
+def case_files():
+    """(lesson, path, function) of the cases of each lesson: a file's first line says whose it has."""
+    found = []
+    for path in sorted(ROOT.glob("tests/lessons/cases_*.cpp")):
+        text = path.read_text()
+        found.append((int(re.match(r"// Lesson (\d\d)", text)[1]), path.relative_to(ROOT),
+                      re.search(r"^std::vector<Case> (\w+)\(\)$", text, re.M)[1]))
+    return sorted(found)
 
 
 def folder_of(lesson):
@@ -134,11 +142,11 @@ class Handout:
     def cases(self):
         self.copy(*[f"tests/lessons/{name}" for name in CASES], without=re.compile("_test"))
         later = []
-        for lesson, name in CASE_FILES.items():
+        for lesson, path, function in case_files():
             if lesson in self.lessons:
-                self.copy(f"tests/lessons/cases_{name}.cpp", f"tests/lessons/golden/{lesson:02}_*.exr")
+                self.copy(str(path), f"tests/lessons/golden/{lesson:02}_*.exr")
             else:
-                later.append(f"std::vector<Case> {CASE_FUNCTIONS[lesson]}()\n{{\n    return {{}};\n}}\n")
+                later.append(f"std::vector<Case> {function}()\n{{\n    return {{}};\n}}\n")
         if later:
             self.add("tests/lessons/cases_later.cpp",
                      "// Lessons that this hand-out does not have.\n#include \"tests/lessons/cases.h\"\n\n"
@@ -199,7 +207,8 @@ class Handout:
         markdown = re.sub(r"<!-- from (?P<path>\S+)/\w+\.h -->\n```cpp\n(?P<code>.*?)^```\n", self.excerpt, markdown,
                           flags=re.M | re.S)
         markdown = markdown.replace("trace.h", "exercise.h").replace("geometry.h", "exercise.h")
-        markdown = re.sub(r"\./raytree lesson (0?[0-8])\b", r"./raytree exercise \1", markdown)
+        markdown = re.sub(r"\./raytree lesson (\d+)\b",
+                          lambda found: f"./raytree exercise {found[1]}" if int(found[1]) in LESSONS else found[0], markdown)
         return re.sub(r"^(?:mkdir -p out && )?\./raytree (?:(?!exercise |learn|test).*|.*--make-sky.*)\n", "", markdown,
                       flags=re.M)
 
@@ -326,7 +335,7 @@ def notice(handout):
 def main():
     parser = argparse.ArgumentParser(prog="raytree handout", description=__doc__.split("\n")[0])
     parser.add_argument("--out", type=pathlib.Path, default=ROOT / "out/handout", help="default: out/handout")
-    parser.add_argument("--lessons", default=f"0-{LAST}", help="as in 0-3; default: %(default)s")
+    parser.add_argument("--lessons", default=f"{LESSONS[0]}-{LESSONS[-1]}", help="as in 0-3; default: %(default)s")
     parser.add_argument("--mistakes", type=pathlib.Path, help="folder of NN.json, made by grade_mistakes")
     args = parser.parse_args()
     try:

@@ -24,6 +24,11 @@ ROOT = pathlib.Path(__file__).resolve().parents[3]
 LEARN = str(pathlib.Path(sys.argv[1]).resolve())
 PATIENCE = 120  # seconds; compilers are slow on busy machines
 
+sys.path.insert(0, str(ROOT / "lessons"))
+sys.dont_write_bytecode = True
+import make_exercises  # noqa: E402
+
+LESSONS = sorted({entry["lesson"] for entry in make_exercises.manifest().values()})
 SOLVED = tempfile.TemporaryDirectory()
 subprocess.run([sys.executable, "-B", str(ROOT / "lessons/make_exercises.py"), "--solved", SOLVED.name], check=True)
 
@@ -140,10 +145,10 @@ class Once(Learning):
         self.assertIn("not attempted yet", self.learn("2", expect=1))
 
     def test_runs_every_lesson_solved(self):
-        for lesson in range(9):
+        for lesson in LESSONS:
             self.file.write_text(solved(lesson))
             self.learn("--once", str(lesson), expect=0)
-        self.assertIn("all exercises are right", self.learn("--once", "8", expect=0))
+        self.assertIn("all exercises are right", self.learn("--once", str(LESSONS[-1]), expect=0))
 
 
 class Terminal:

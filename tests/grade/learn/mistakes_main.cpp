@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "common/image.h"
+#include "tests/grade/questions/manifest.h"
 #include "tests/grade/questions/mistakes.h"
 
 int main(int argc, char** argv)
@@ -17,7 +18,7 @@ int main(int argc, char** argv)
     try
     {
         std::filesystem::create_directories(argv[1]);
-        for (int lesson = 0; lesson <= 8; ++lesson)
+        for (const int lesson : rt::grade::exerciseLessons())
             rt::writeTextFile(fmt::format("{}/{:02}.json", argv[1], lesson), rt::grade::mistakesJson(lesson));
     }
     catch (const std::exception& error)

@@ -19,8 +19,6 @@ namespace
 
 namespace fs = std::filesystem;
 
-constexpr int lastLesson = 8;
-
 /// What known mistakes answer; none if the file is not there.
 std::vector<KnownMistake> storedMistakes(int lesson)
 {
@@ -99,10 +97,8 @@ std::string Session::fileOf(int lesson) const
 Session openSession(const std::string& stateFile, std::string& notice)
 {
     Session session;
-    for (int lesson = 0; lesson <= lastLesson; ++lesson)
+    for (const int lesson : exerciseLessons())
         for (const auto& exercise : exercisesOf(lesson)) session.exercises.push_back(exercise);
-    if (session.exercises.empty())
-        throw std::runtime_error("lessons/exercises.toml has no exercises of lessons 0 to 8");
     session.stateFile = stateFile;
     session.progress = loadProgress(stateFile, notice);
     if (!session.find(session.progress.current))

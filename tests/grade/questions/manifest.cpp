@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -69,6 +70,16 @@ struct Entry
     }
 };
 
+/// The project's own.
+const std::vector<Exercise>& manifest()
+{
+    static const auto all = [] {
+        const std::string path = std::string(RAYTREE_SOURCE_DIR) + "/lessons/exercises.toml";
+        return parseManifest(readTextFile(path), "lessons/exercises.toml");
+    }();
+    return all;
+}
+
 } // namespace
 
 std::vector<Exercise> parseManifest(std::string_view text, const std::string& name)
@@ -114,14 +125,17 @@ std::vector<Exercise> parseManifest(std::string_view text, const std::string& na
 
 std::vector<Exercise> exercisesOf(int lesson)
 {
-    static const auto all = [] {
-        const std::string path = std::string(RAYTREE_SOURCE_DIR) + "/lessons/exercises.toml";
-        return parseManifest(readTextFile(path), "lessons/exercises.toml");
-    }();
     std::vector<Exercise> some;
-    for (const auto& exercise : all)
+    for (const auto& exercise : manifest())
         if (exercise.lesson == lesson) some.push_back(exercise);
     return some;
+}
+
+std::vector<int> exerciseLessons()
+{
+    std::set<int> lessons;
+    for (const auto& exercise : manifest()) lessons.insert(exercise.lesson);
+    return {lessons.begin(), lessons.end()};
 }
 
 } // namespace rt::grade

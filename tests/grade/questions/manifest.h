@@ -24,4 +24,7 @@ std::vector<Exercise> parseManifest(std::string_view text, const std::string& na
 /// The exercises of one lesson from the project's own manifest, which is read once. Throws as parseManifest does.
 std::vector<Exercise> exercisesOf(int lesson);
 
+/// The lessons that have exercises, in their order. Throws as parseManifest does.
+std::vector<int> exerciseLessons();
+
 } // namespace rt::grade

@@ -13,7 +13,7 @@ namespace
 
 TEST(Mistakes, AreFoundFromTheStoredFileAlone)
 {
-    for (int lesson = 0; lesson <= 8; ++lesson)
+    for (const int lesson : exerciseLessons())
     {
         const auto known = mistakesFromJson(mistakesJson(lesson));
         int found = 0, all = 0;

@@ -47,16 +47,22 @@ using Tracer8 = lesson08::Tracer<R, Rec>;
 Candidate reference(int lesson)
 {
     using Make = cases::Subject (*)();
-    constexpr Make tracers[] = {inDouble<Tracer1>, inDouble<Tracer2>, inDouble<Tracer3>, inDouble<Tracer4>,
-                                inDouble<Tracer5>, inDouble<Tracer6>, inDouble<Tracer7>, inDouble<Tracer8>};
+    static constexpr std::pair<int, Make> tracers[] = {
+        {1, inDouble<Tracer1>}, {2, inDouble<Tracer2>}, {3, inDouble<Tracer3>}, {4, inDouble<Tracer4>},
+        {5, inDouble<Tracer5>}, {6, inDouble<Tracer6>}, {7, inDouble<Tracer7>}, {8, inDouble<Tracer8>}};
     Candidate candidate;
     if (lesson == 0)
+    {
         candidate.geometry = cases::geometrySubject<lesson00::Geometry<double>>();
-    else if (lesson >= 1 && lesson <= int(std::size(tracers)))
-        candidate.tracer = tracers[lesson - 1]();
-    else
-        throw std::invalid_argument(fmt::format("lesson {} has no exercises, expected 0 to 8", lesson));
-    return candidate;
+        return candidate;
+    }
+    for (const auto& [number, make] : tracers)
+        if (number == lesson)
+        {
+            candidate.tracer = make();
+            return candidate;
+        }
+    throw std::invalid_argument(fmt::format("lesson {} has no exercises", lesson));
 }
 
 } // namespace rt::grade

@@ -5,7 +5,11 @@ set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../../../.." && pwd)
 out=$(realpath -m "${4:-autograder.zip}")
-case $1 in [0-8]) ;; *) echo "pack.sh: expected a lesson from 0 to 8, got \"$1\"" >&2; exit 2 ;; esac
+case $1 in [0-9] | [1-9][0-9]) lesson=$(printf %02d "$1") ;; *) lesson=no ;; esac
+ls "$root/lessons/$lesson"_*/exercise.h >/dev/null 2>&1 || {
+    echo "pack.sh: expected the number of a lesson that has exercises, such as 6, got \"$1\"" >&2
+    exit 2
+}
 case $2 in *[!A-Za-z0-9._-]*) echo "pack.sh: expected a term of letters, digits and . _ -, got \"$2\"" >&2; exit 2 ;; esac
 [ -r "$3" ] || { echo "pack.sh: $3 cannot be read; expected the file of the course's secret" >&2; exit 2; }
 folder=$(mktemp -d)
