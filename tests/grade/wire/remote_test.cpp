@@ -14,6 +14,7 @@
 #include "solved06.h"
 #include "solved07.h"
 #include "solved08.h"
+#include "tests/grade/questions/manifest.h"
 #include "tests/grade/wire/exercise_ids.h"
 #include "tests/grade/wire/functions.h"
 #include "tests/grade/wire/misbehaving.h"
@@ -154,7 +155,7 @@ TEST(SolvedInTheKit, GetsTheBlockersThatItCannotFindWithoutFormulas)
     expectSolved("blockerless", 1);
 }
 
-INSTANTIATE_TEST_SUITE_P(Lesson, Solved, testing::Range(0, 9));
+INSTANTIATE_TEST_SUITE_P(Lesson, Solved, testing::ValuesIn(exerciseLessons()));
 
 class Untouched : public testing::TestWithParam<int>
 {
@@ -185,7 +186,7 @@ TEST_P(Untouched, SaysWhichExerciseIsNotAttempted)
     EXPECT_EQ(remote.deaths(), 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Lesson, Untouched, testing::Range(0, 9));
+INSTANTIATE_TEST_SUITE_P(Lesson, Untouched, testing::ValuesIn(exerciseLessons()));
 
 TEST(UntouchedExercise, HasMagentaPictures)
 {
