@@ -98,6 +98,7 @@ std::vector<std::string> compilerWords(int lesson, Fill fill, const CompilePlace
     for (const auto& flag : linesOf(base + "/flags")) words.push_back(flag);
     words.push_back(fill == Fill::zero ? "-ftrivial-auto-var-init=zero" : "-ftrivial-auto-var-init=pattern");
     words.push_back(fmt::format("-DRAYTREE_LESSON={}", lesson));
+    words.push_back(fmt::format("-DRAYTREE_EXERCISE=exercise{:02}", lesson));
     for (const auto& word :
          {"-I" + in.kit, "-I" + in.source, in.kit + "/tests/grade/wire/exercise.student.cpp", in.kit + "/runner.o",
           std::string("-static"), std::string("-s"), std::string("-o"), in.out + "/program"})

@@ -1,6 +1,6 @@
 #include "tests/grade/questions/known_mistakes.h"
 
-#include <array>
+#include <map>
 #include <mutex>
 
 #include <nlohmann/json.hpp>
@@ -29,22 +29,22 @@ std::vector<MutantCandidate> mutantCandidates(int lesson)
 
 const std::vector<KnownMistake>& knownMistakes(int lesson)
 {
-    static std::array<std::once_flag, 9> once;
-    static std::array<std::vector<KnownMistake>, 9> known;
-    const auto which = std::size_t(lesson);
-    std::call_once(once.at(which), [&] {
-        const auto set = questionSet(lesson, {}, false);
-        for (const auto& mutant : mutantCandidates(lesson))
-        {
-            if (mutant.endless) continue;
-            KnownMistake one{mutant.id, mutant.mistake, {}};
-            for (const auto& asked : *set)
-                for (const auto& [question, answer] : runClass(asked, mutant.candidate, {}).evidence)
-                    one.evidence[asked.exercise][question] = answer;
-            known[which].push_back(one);
-        }
-    });
-    return known[which];
+    static std::mutex mutex;
+    static std::map<int, std::vector<KnownMistake>> known;
+    const std::lock_guard lock(mutex);
+    if (const auto found = known.find(lesson); found != known.end()) return found->second;
+    std::vector<KnownMistake> all;
+    const auto set = questionSet(lesson, {}, false);
+    for (const auto& mutant : mutantCandidates(lesson))
+    {
+        if (mutant.endless) continue;
+        KnownMistake one{mutant.id, mutant.mistake, {}};
+        for (const auto& asked : *set)
+            for (const auto& [question, answer] : runClass(asked, mutant.candidate, {}).evidence)
+                one.evidence[asked.exercise][question] = answer;
+        all.push_back(one);
+    }
+    return known[lesson] = all;
 }
 
 std::string mistakesJson(int lesson)

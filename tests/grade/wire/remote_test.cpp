@@ -50,27 +50,15 @@ Remote student(const std::string& name, int lesson, const Limits& some = limits(
 Candidate solvedHere(int lesson)
 {
     using cases::exerciseSubject;
-    switch (lesson)
-    {
-    case 0:
-        return {{}, cases::geometrySubject<solved00::Geometry>(), {}};
-    case 1:
-        return {exerciseSubject<solved01::Tracer>(), {}, {}};
-    case 2:
-        return {exerciseSubject<solved02::Tracer>(), {}, {}};
-    case 3:
-        return {exerciseSubject<solved03::Tracer>(), {}, {}};
-    case 4:
-        return {exerciseSubject<solved04::Tracer>(), {}, {}};
-    case 5:
-        return {exerciseSubject<solved05::Tracer>(), {}, {}};
-    case 6:
-        return {exerciseSubject<solved06::Tracer>(), {}, {}};
-    case 7:
-        return {exerciseSubject<solved07::Tracer>(), {}, {}};
-    default:
-        return {exerciseSubject<solved08::Tracer>(), {}, {}};
-    }
+    using cases::Subject;
+    static const std::map<int, Subject (*)()> tracers{
+        {1, exerciseSubject<solved01::Tracer>}, {2, exerciseSubject<solved02::Tracer>},
+        {3, exerciseSubject<solved03::Tracer>}, {4, exerciseSubject<solved04::Tracer>},
+        {5, exerciseSubject<solved05::Tracer>}, {6, exerciseSubject<solved06::Tracer>},
+        {7, exerciseSubject<solved07::Tracer>}, {8, exerciseSubject<solved08::Tracer>},
+    };
+    if (lesson == 0) return {{}, cases::geometrySubject<solved00::Geometry>(), {}};
+    return {tracers.at(lesson)(), {}, {}};
 }
 
 /// Gives the remote one's answer, after comparing its bits with ours.
@@ -147,7 +135,7 @@ class Solved : public testing::TestWithParam<int>
 
 TEST_P(Solved, PassesAllCasesWithTheBitsOfOurOwnProcess)
 {
-    expectSolved(fmt::format("solved0{}", GetParam()), GetParam());
+    expectSolved(fmt::format("solved{:02}", GetParam()), GetParam());
 }
 
 TEST(SolvedInTheKit, GetsTheBlockersThatItCannotFindWithoutFormulas)
@@ -164,7 +152,7 @@ class Untouched : public testing::TestWithParam<int>
 TEST_P(Untouched, SaysWhichExerciseIsNotAttempted)
 {
     const int lesson = GetParam();
-    auto remote = student(fmt::format("exercise0{}", lesson), lesson);
+    auto remote = student(fmt::format("exercise{:02}", lesson), lesson);
     const auto candidate = remote.candidate();
     std::map<std::string, int> marks;
     const auto count = [&](const auto& which, const auto& subject) {
