@@ -42,9 +42,17 @@ struct Options
 
 void addOptions(CLI::App& app, Options& options)
 {
-    const int first = exerciseLessons().front(), last = exerciseLessons().back();
-    app.add_option("lesson", options.lesson, fmt::format("number of the lesson, {} to {}", first, last))
-        ->check(CLI::Range(first, last))
+    const auto lessons = exerciseLessons();
+    app.add_option("lesson", options.lesson,
+                   fmt::format("number of the lesson, {} to {}", lessons.front(), lessons.back()))
+        ->check(CLI::Validator(
+            [lessons](const std::string& text) {
+                for (const int lesson : lessons)
+                    if (std::to_string(lesson) == text) return std::string();
+                return fmt::format("\"{}\" is no lesson with exercises, expected one of {}", text,
+                                   fmt::join(lessons, ", "));
+            },
+            ""))
         ->type_name("LESSON");
     auto* many = app.add_option("--submissions", options.submissions,
                                 "folder of the class: each entry is a student's folder, archive or file")
