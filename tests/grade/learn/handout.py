@@ -189,7 +189,7 @@ class Handout:
             presets[kind] = [preset for preset in presets[kind] if preset["name"] in ("base", "student")]
         self.add("CMakePresets.json", json.dumps(presets, indent=2) + "\n")
         door = source("raytree")
-        functions = [re.search(rf"^{name}\(\) {{\n.*?^}}\n", door, re.M | re.S)[0] for name in ("fail", "packages", "number")]
+        functions = [re.search(rf"^{name}\(\) {{\n.*?^}}\n", door, re.M | re.S)[0] for name in ("fail", "packages", "compile", "number")]
         core = re.search(r'^core_packages="(.*?)"', door, re.M | re.S)[1]
         self.add("raytree", self.template("raytree.in", CORE=core, FUNCTIONS="\n".join(functions),
                                           LESSONS=self.numbers()), True)

@@ -77,9 +77,9 @@ def tearDownModule():
 
 
 def built():
-    """The targets that the front door asked for since the last call."""
+    """The targets that the front door asked for since the last call, beside whether the build itself is stale."""
     log = PLACE / "cmake.log"
-    targets = re.findall(r"--target (\S+)", log.read_text()) if log.exists() else []
+    targets = re.findall(r"--target (?!build\.ninja)(\S+)", log.read_text()) if log.exists() else []
     log.write_text("")
     return targets
 
@@ -117,11 +117,12 @@ class Recipes(unittest.TestCase):
         # What the program says and its exit code come through.
         _, err = run("./raytree", "grade", "9", code=2)
         self.assertIn("9", err)
-        # A build that fails ends it.
-        stub("cmake", "exit 1\n")
+        # A build that fails ends it, and so does what comes before.
         try:
-            _, err = run("./raytree", "grade", "--help", code=2)
-            self.assertIn("the build failed", err)
+            for failing, words in (("build.ninja", "cmake failed"), ("grade", "the build failed")):
+                stub("cmake", f'case "$*" in *"--target {failing}"*) exit 1 ;; esac\n')
+                _, err = run("./raytree", "grade", "--help", code=2)
+                self.assertIn(words, err)
         finally:
             stub("cmake", f'echo "$@" >>"{PLACE}/cmake.log"\n')
 
@@ -130,7 +131,7 @@ class Recipes(unittest.TestCase):
         try:
             both = [subprocess.Popen(["./raytree", word, "--help"], cwd=COURSE, env=ENV, stdout=subprocess.DEVNULL) for word in ("grade", "merge")]
             self.assertEqual([one.wait(timeout=60) for one in both], [0, 0])
-            self.assertEqual((PLACE / "cmake.log").read_text().split(), ["starts", "ends"] * 2)
+            self.assertEqual((PLACE / "cmake.log").read_text().split(), ["starts", "ends"] * 4)  # each asks twice
         finally:
             stub("cmake", f'echo "$@" >>"{PLACE}/cmake.log"\n')
 
