@@ -18,7 +18,7 @@ STUBS = {
     "dpkg-query": "echo install ok installed\n",
     "cmake": f'''[ "$1" = --build ] || exit 0
 while [ $# -gt 0 ]; do
-    if [ "$1" = --target ] && ! [ -e "{BIN}/$2" ] && ! [ -d "{BIN.parent}/$2" ]; then echo "no target $2" >&2; exit 1; fi
+    if [ "$1" = --target ] && ! [ -e "{BIN}/$2" ] && ! [ -e "{BIN.parent}/$2" ]; then echo "no target $2" >&2; exit 1; fi
     shift
 done
 ''',
