@@ -28,6 +28,11 @@ def manifest():
         return {entry["id"]: entry for entry in tomllib.load(file)["exercise"]}
 
 
+def lessons():
+    """The numbers of the lessons that have exercises, ascending."""
+    return sorted({entry["lesson"] for entry in manifest().values()})
+
+
 def function(path, name):
     """The member function `name` of a core header, with the comment above it."""
     text = (ROOT / path).read_text()

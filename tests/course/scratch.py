@@ -29,7 +29,7 @@ class Scratch:
     """Folders like a fresh clone with everything built; all vanish with `close`."""
 
     def __init__(self):
-        self.place = pathlib.Path(tempfile.mkdtemp(prefix="raytree-scratch-"))
+        self.place = pathlib.Path(tempfile.mkdtemp(prefix="raytree scratch "))
         self.place.chmod(0o755)  # the grader's sandbox runs as another user
         self.copy = self.place / "copy"
         shutil.copytree(ROOT, self.copy, ignore=lambda folder, _: NOT_COPIED if pathlib.Path(folder) == ROOT else {"__pycache__"})

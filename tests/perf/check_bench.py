@@ -160,5 +160,15 @@ class Report(unittest.TestCase):
         self.assertTrue(x1 > x0 and y1 < y0)
         self.assertIn("a &lt; b", text)
 
+    def test_columns_of_numbers_stand_to_the_right(self):
+        rule = bench_report.table(["who", "rays", "ratio", "goal"], [["double", "1,234", "2.5 (1.00)", "1.5"], ["Embree", "-", "-", "at most"]]).splitlines()[1]
+        self.assertEqual(rule, "| --- | ---: | ---: | --- |")
+        self.assertEqual(bench_report.table(["who"], []), "| who |\n| --- |\n")
+
+    def test_a_plot_has_its_caption_on_the_page(self):
+        growth = [{"what": "spheres", "x": x, "ns_a_ray": x, "bytes_a_sphere": 0, "build_cpu_seconds": 0} for x in (1, 10)]
+        self.assertEqual(bench_page.plots({"growth": growth}).keys(), {"spheres.svg"})
+        self.assertIn(f"![{bench_page.CAPTIONS['spheres']}](plots/spheres.svg)", bench_page.growth_text(growth, "plots/", {"spheres.svg"}))
+
 
 unittest.main(verbosity=1)

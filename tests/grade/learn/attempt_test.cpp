@@ -5,8 +5,7 @@
 #include "common/image.h"
 #include "common/scene_file.h"
 #include "lessons/00_geometry/geometry.h"
-#include "lessons/02_mirrors/exercise.h"
-#include "solved02.h"
+#include "tests/grade/exercises.h"
 #include "tests/grade/learn/pictures.h"
 #include "tests/grade/learn/session.h"
 #include "tests/grade/learn/show.h"
@@ -17,16 +16,9 @@ namespace rt::grade
 namespace
 {
 
-/// In this process: what the remote ones look like to us.
-template <class Tracer>
-Candidate local()
-{
-    return {.tracer = cases::exerciseSubject<Tracer>(), .geometry = {}, .fingerprint = {}};
-}
-
 TEST(Attempt, OfASolvedExerciseIsRight)
 {
-    const auto attempts = runCases(local<solved02::Tracer>(), exercisesOf(2), "02-reflect");
+    const auto attempts = runCases(solved(2), exercisesOf(2), "02-reflect");
     ASSERT_EQ(attempts.size(), 2U);
     for (const auto& [id, attempt] : attempts)
     {
@@ -43,7 +35,7 @@ TEST(Attempt, OfASolvedExerciseIsRight)
 
 TEST(Attempt, OfTheExerciseAsHandedOutIsNotAttempted)
 {
-    for (const auto& [id, attempt] : runCases(local<exercise02::Tracer>(), exercisesOf(2), ""))
+    for (const auto& [id, attempt] : runCases(untouched(2), exercisesOf(2), ""))
     {
         EXPECT_EQ(attempt.outcome, Outcome::notAttempted) << id;
         EXPECT_TRUE(attempt.missing.starts_with("02-")) << attempt.missing;
@@ -53,7 +45,7 @@ TEST(Attempt, OfTheExerciseAsHandedOutIsNotAttempted)
 
 TEST(Attempt, NamesTheExerciseThatItWaitsFor)
 {
-    auto candidate = local<solved02::Tracer>();
+    auto candidate = solved(2);
     const auto ofReflect = [](const auto&...) -> Vec3<double> { throw NotAttempted("02-reflect"); };
     candidate.tracer.reflect = ofReflect;
     candidate.tracer.color = ofReflect;
@@ -70,7 +62,7 @@ TEST(Attempt, NamesTheExerciseThatItWaitsFor)
 
 TEST(Attempt, ShowsTheFirstFailingCaseWithSlideAndNumbers)
 {
-    auto candidate = local<solved02::Tracer>();
+    auto candidate = solved(2);
     candidate.tracer.reflect = [](const Vec3<double>& D, const Vec3<double>&) { return D; };
     const auto attempts = runCases(candidate, exercisesOf(2), "02-reflect");
     const auto& attempt = attempts.at("02-reflect");
@@ -85,7 +77,7 @@ TEST(Attempt, ShowsTheFirstFailingCaseWithSlideAndNumbers)
 
 TEST(Attempt, HasThePicturesOfAWrongPicture)
 {
-    auto candidate = local<solved02::Tracer>();
+    auto candidate = solved(2);
     candidate.tracer.picture = [right = candidate.tracer.picture](const SceneDescription& scene) {
         Image image = right(scene);
         for (int x = 0; x < image.width; ++x) image.at(x, 5) += Vec3<double>(0.1);
@@ -111,7 +103,7 @@ TEST(Attempt, HasThePicturesOfAWrongPicture)
 
 TEST(Attempt, StopsAtTheFirstDeathAndLeavesTheOthersOpen)
 {
-    auto candidate = local<solved02::Tracer>();
+    auto candidate = solved(2);
     int asked = 0;
     candidate.tracer.reflect = [&asked](const auto&...) -> Vec3<double> {
         ++asked;
@@ -126,7 +118,7 @@ TEST(Attempt, StopsAtTheFirstDeathAndLeavesTheOthersOpen)
 
 TEST(Attempt, ShowsThePictureOfAWrongExerciseAndNotOfAnother)
 {
-    auto candidate = local<solved02::Tracer>();
+    auto candidate = solved(2);
     candidate.tracer.reflect = [](const Vec3<double>& D, const Vec3<double>&) { return D; };
     candidate.tracer.picture = [](const SceneDescription& scene) {
         return Image(scene.camera.width, scene.camera.height);
@@ -139,7 +131,7 @@ TEST(Attempt, ShowsThePictureOfAWrongExerciseAndNotOfAnother)
 
 TEST(Attempt, ShowsNoPictureThatIsMagentaBecauseAnotherExerciseIsMissing)
 {
-    auto candidate = local<exercise02::Tracer>();
+    auto candidate = untouched(2);
     candidate.tracer.reflect = [](const Vec3<double>& D, const Vec3<double>&) { return D; };
     const auto attempts = runCases(candidate, exercisesOf(2), "02-reflect");
     EXPECT_EQ(attempts.at("02-reflect").outcome, Outcome::wrong);
@@ -148,7 +140,7 @@ TEST(Attempt, ShowsNoPictureThatIsMagentaBecauseAnotherExerciseIsMissing)
 
 TEST(Attempt, TakesWhatExercisesThrowForWrong)
 {
-    auto candidate = local<solved02::Tracer>();
+    auto candidate = solved(2);
     candidate.tracer.reflect = [](const auto&...) -> Vec3<double> { throw std::runtime_error("no idea"); };
     const auto attempt = runCases(candidate, exercisesOf(2), "02-reflect").at("02-reflect");
     EXPECT_EQ(attempt.outcome, Outcome::wrong);

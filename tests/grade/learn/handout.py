@@ -37,7 +37,7 @@ ENGINE = ["tests/grade/result.*", "tests/grade/candidate.h", "tests/grade/box/*"
 # What needs lessons, mistakes or a sandbox.
 NOT_ENGINE = re.compile(r"_test\.cpp$|/mistakes_main\.cpp$|\.md$|/probe\.|/launch_main|/selftest|/seccomp\.cpp|/reference|"
                         r"/misbehaving|\.cmake$")
-LESSONS = sorted({entry["lesson"] for entry in make_exercises.manifest().values()})  # those that have exercises
+LESSONS = make_exercises.lessons()
 
 
 class Refused(Exception):

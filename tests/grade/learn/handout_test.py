@@ -22,7 +22,7 @@ sys.path.insert(0, str(ROOT / "lessons"))
 sys.dont_write_bytecode = True
 import make_exercises  # noqa: E402
 
-LESSONS = sorted({entry["lesson"] for entry in make_exercises.manifest().values()})  # those that have exercises
+LESSONS = make_exercises.lessons()
 CORE = ("common/shapes.h", "common/sky.h", "common/sphere_search.h", "common/look_ahead.h")
 
 

@@ -28,7 +28,7 @@ sys.path.insert(0, str(ROOT / "lessons"))
 sys.dont_write_bytecode = True
 import make_exercises  # noqa: E402
 
-LESSONS = sorted({entry["lesson"] for entry in make_exercises.manifest().values()})
+LESSONS = make_exercises.lessons()
 SOLVED = tempfile.TemporaryDirectory()
 subprocess.run([sys.executable, "-B", str(ROOT / "lessons/make_exercises.py"), "--solved", SOLVED.name], check=True)
 

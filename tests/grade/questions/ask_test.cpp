@@ -5,24 +5,7 @@
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
-#include "lessons/00_geometry/exercise.h"
-#include "lessons/01_direct_illumination/exercise.h"
-#include "lessons/02_mirrors/exercise.h"
-#include "lessons/03_partial_reflection/exercise.h"
-#include "lessons/04_hdr_sky/exercise.h"
-#include "lessons/05_refraction/exercise.h"
-#include "lessons/06_fresnel/exercise.h"
-#include "lessons/07_recursion_caps/exercise.h"
-#include "lessons/08_phong/exercise.h"
-#include "solved00.h"
-#include "solved01.h"
-#include "solved02.h"
-#include "solved03.h"
-#include "solved04.h"
-#include "solved05.h"
-#include "solved06.h"
-#include "solved07.h"
-#include "solved08.h"
+#include "tests/grade/exercises.h"
 #include "tests/grade/questions/ask.h"
 #include "tests/grade/questions/known_mistakes.h"
 #include "tests/grade/questions/question_set.h"
@@ -40,44 +23,6 @@ namespace
 {
 
 const Secret secret{"a secret of the tests", "2026-autumn"};
-
-template <class Tracer>
-Candidate tracer()
-{
-    return {.tracer = cases::exerciseSubject<Tracer>()};
-}
-
-Candidate solved(int lesson)
-{
-    static const std::map<int, Candidate (*)()> all{
-        {0, [] { return Candidate{.geometry = cases::geometrySubject<solved00::Geometry>()}; }},
-        {1, tracer<solved01::Tracer>},
-        {2, tracer<solved02::Tracer>},
-        {3, tracer<solved03::Tracer>},
-        {4, tracer<solved04::Tracer>},
-        {5, tracer<solved05::Tracer>},
-        {6, tracer<solved06::Tracer>},
-        {7, tracer<solved07::Tracer>},
-        {8, tracer<solved08::Tracer>},
-    };
-    return all.at(lesson)();
-}
-
-Candidate untouched(int lesson)
-{
-    static const std::map<int, Candidate (*)()> all{
-        {0, [] { return Candidate{.geometry = cases::geometrySubject<exercise00::Geometry>()}; }},
-        {1, tracer<exercise01::Tracer>},
-        {2, tracer<exercise02::Tracer>},
-        {3, tracer<exercise03::Tracer>},
-        {4, tracer<exercise04::Tracer>},
-        {5, tracer<exercise05::Tracer>},
-        {6, tracer<exercise06::Tracer>},
-        {7, tracer<exercise07::Tracer>},
-        {8, tracer<exercise08::Tracer>},
-    };
-    return all.at(lesson)();
-}
 
 Answers grade(int lesson, const Candidate& candidate, const Secret& with = secret, bool mistakes = false)
 {

@@ -5,15 +5,7 @@
 #include <chrono>
 #include <map>
 
-#include "solved00.h"
-#include "solved01.h"
-#include "solved02.h"
-#include "solved03.h"
-#include "solved04.h"
-#include "solved05.h"
-#include "solved06.h"
-#include "solved07.h"
-#include "solved08.h"
+#include "tests/grade/exercises.h"
 #include "tests/grade/questions/manifest.h"
 #include "tests/grade/wire/exercise_ids.h"
 #include "tests/grade/wire/functions.h"
@@ -45,20 +37,6 @@ Limits limits()
 Remote student(const std::string& name, int lesson, const Limits& some = limits())
 {
     return Remote(box, RAYTREE_STUDENTS + name, lesson, some);
-}
-
-Candidate solvedHere(int lesson)
-{
-    using cases::exerciseSubject;
-    using cases::Subject;
-    static const std::map<int, Subject (*)()> tracers{
-        {1, exerciseSubject<solved01::Tracer>}, {2, exerciseSubject<solved02::Tracer>},
-        {3, exerciseSubject<solved03::Tracer>}, {4, exerciseSubject<solved04::Tracer>},
-        {5, exerciseSubject<solved05::Tracer>}, {6, exerciseSubject<solved06::Tracer>},
-        {7, exerciseSubject<solved07::Tracer>}, {8, exerciseSubject<solved08::Tracer>},
-    };
-    if (lesson == 0) return {{}, cases::geometrySubject<solved00::Geometry>(), {}};
-    return {tracers.at(lesson)(), {}, {}};
 }
 
 /// Gives the remote one's answer, after comparing its bits with ours.
@@ -114,7 +92,7 @@ void expectSolved(const std::string& name, int lesson)
 {
     auto remote = student(name, lesson);
     int compared = 0;
-    const auto candidate = both(remote.candidate(), solvedHere(lesson), compared);
+    const auto candidate = both(remote.candidate(), solved(lesson), compared);
     const auto expectPassed = [](const auto& which, const cases::Check& check) {
         EXPECT_GT(check.checked, 0);
         for (const auto& failure : check.failures)
