@@ -3,6 +3,7 @@
 import difflib
 import pathlib
 import re
+import subprocess
 import sys
 import tomllib
 
@@ -141,7 +142,15 @@ def check_cases_belong_to_exercises():
                             f"its exercises name {sorted(named)}")
 
 
-for check in (check_arrows, check_small_steps, check_no_epsilon, check_lessons_are_complete, check_cases_belong_to_exercises):
+def check_folders():
+    """No folder at the top but those a newcomer is told of. Without git nobody knows which files are the project's."""
+    listed = subprocess.run(["git", "-C", ROOT, "ls-files"], capture_output=True, text=True, check=False).stdout.splitlines()
+    tops = {path.split("/")[0] for path in listed if "/" in path and not path.startswith(".")}
+    for folder in sorted(tops - {"lessons", "common", "viz", "tests", "slides-notes"}):
+        problems.append(f"{folder}/ is committed: expected lessons, common, viz, tests and slides-notes only")
+
+
+for check in (check_folders, check_arrows, check_small_steps, check_no_epsilon, check_lessons_are_complete, check_cases_belong_to_exercises):
     check()
 for problem in problems:
     print(problem, file=sys.stderr)
