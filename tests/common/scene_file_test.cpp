@@ -18,6 +18,7 @@
 #include "common/nearest_word.h"
 #include "common/scene_file.h"
 #include "common/scene_reader.h"
+#include "tests/common/growth.h"
 #include "tests/common/mutated.h"
 
 namespace
@@ -324,14 +325,15 @@ TEST(SceneFile, LeavesOutATriangleWithoutAreaAndSaysSo)
     EXPECT_TRUE(tiny.warnings.empty());
 }
 
-TEST(SceneFile, ReadsManySpheresQuickly)
+TEST(SceneFile, ReadsManySpheresInLinearTime)
 {
-    std::string text = "materials.m = {}\n";
-    for (int i = 0; i < 10000; ++i)
-        text += fmt::format("[[sphere]]\ncenter = [{}.25, 0.123456789, -3.0]\nradius = 0.5\nmaterial = 'm'\n", i);
-    const auto start = std::chrono::steady_clock::now();
-    EXPECT_EQ(parseScene(text, "scene.toml").spheres.size(), 10000u);
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(3)); // 0.07 s; the rest is for sanitizers
+    const auto read = [](int spheres) {
+        std::string text = "materials.m = {}\n";
+        for (int i = 0; i < spheres; ++i)
+            text += fmt::format("[[sphere]]\ncenter = [{}.25, 0.123456789, -3.0]\nradius = 0.5\nmaterial = 'm'\n", i);
+        EXPECT_EQ(parseScene(text, "scene.toml").spheres.size(), unsigned(spheres));
+    };
+    EXPECT_LT(growthByEight(1250, read), aboutLinear);
 }
 
 // ---- bad scenes ----------------------------------------------------------------------------------------------------
@@ -714,15 +716,13 @@ TEST(SceneFileOnDisk, KeepsTheNameInItsErrors)
               path + ":2:9: 'color' in [sky]: expected an array of 3 numbers, each of at least 0, got 1");
 }
 
-TEST(SceneFileOnDisk, BeyondTheLimitIsRefusedWithinASecond)
+TEST(SceneFileOnDisk, BeyondTheLimitIsRefused)
 {
     const TemporaryFolder folder;
     const auto large = folder.file("large.toml", "");
     fs::resize_file(large, largestSceneFile + 1); // sparse: takes no room
-    const auto start = std::chrono::steady_clock::now();
     EXPECT_NE(loadErrorOf(large).find("too large, expected at most 256 MiB"), std::string::npos);
     EXPECT_NE(loadErrorOf("/dev/zero").find("not a text file, byte 1 is zero"), std::string::npos);
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(1));
 }
 
 TEST(SceneFileOnDisk, IsNotReadBeyondTheLimit)
