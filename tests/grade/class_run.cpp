@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "common/image.h"
+#include "tests/grade/box/temporary_folder.h"
 #include "tests/grade/report/files.h"
 
 namespace rt::grade

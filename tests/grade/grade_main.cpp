@@ -14,6 +14,7 @@
 #include "common/cli.h"
 #include "common/image.h"
 #include "common/scene_text.h"
+#include "tests/grade/box/temporary_folder.h"
 #include "tests/grade/class_run.h"
 #include "tests/grade/questions/manifest.h"
 #include "tests/grade/report/files.h"
@@ -254,6 +255,7 @@ void show(const ClassProgress& progress)
 
 int run(const Options& options)
 {
+    removeAbandonedFolders();
     if (options.selfTestOnly)
     {
         const auto sandbox = sandboxOf(options);

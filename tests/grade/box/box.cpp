@@ -1,11 +1,9 @@
 #include "tests/grade/box/box.h"
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
 
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <fmt/format.h>
@@ -167,24 +165,6 @@ Command compileCommand(const Box& box, const Limits& limits, const CompilePlaces
     }
     append(command.argv, compiler);
     return command;
-}
-
-TemporaryFolder::TemporaryFolder()
-{
-    std::error_code error;
-    auto base = fs::temp_directory_path(error);
-    if (error) base = "/tmp";
-    path = (base / "raytree-box-XXXXXX").string();
-    if (!::mkdtemp(path.data()))
-        throw std::runtime_error(fmt::format("a temporary folder cannot be made in {}", base.string()));
-    constexpr mode_t enter = 0711;
-    ::chmod(path.c_str(), enter);
-}
-
-TemporaryFolder::~TemporaryFolder()
-{
-    std::error_code ignored;
-    fs::remove_all(path, ignored);
 }
 
 } // namespace rt::grade

@@ -76,16 +76,4 @@ unsigned userOf(const Box& box);
 /// Can that user follow the path? Always, if we are not root.
 bool canReach(const Box& box, const std::string& path);
 
-/// A fresh folder below the system's folder for temporary files, removed with all in it at the end. Others may enter it, not
-/// list it. Throws std::runtime_error.
-class TemporaryFolder
-{
-public:
-    TemporaryFolder();
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    ~TemporaryFolder();
-    std::string path;
-};
-
 } // namespace rt::grade

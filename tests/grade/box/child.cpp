@@ -22,6 +22,7 @@
 
 #include "common/spawn.h"
 #include "tests/grade/box/death.h"
+#include "tests/grade/box/temporary_folder.h"
 
 namespace rt::grade
 {

@@ -15,6 +15,7 @@
 #include "tests/grade/box/child.h"
 #include "tests/grade/box/compiler_messages.h"
 #include "tests/grade/box/source_text.h"
+#include "tests/grade/box/temporary_folder.h"
 
 namespace rt::grade
 {

@@ -13,6 +13,7 @@
 #include "tests/grade/box/child.h"
 #include "tests/grade/box/compiler_messages.h"
 #include "tests/grade/box/source_text.h"
+#include "tests/grade/box/temporary_folder.h"
 #include "tests/grade/questions/manifest.h"
 
 namespace rt::grade

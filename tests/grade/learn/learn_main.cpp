@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "common/cli.h"
+#include "tests/grade/box/temporary_folder.h"
 #include "tests/grade/learn/show.h"
 #include "tests/grade/learn/terminal.h"
 #include "tests/grade/learn/watch.h"
@@ -38,6 +39,7 @@ void needLesson(const Session& session, int lesson)
 
 int run(const Options& options)
 {
+    removeAbandonedFolders();
     std::string notice;
     if (options.reset)
     {

@@ -14,14 +14,14 @@ namespace rt::grade
 namespace
 {
 
-constexpr int version = 1;
+constexpr int progressVersion = 1;
 constexpr std::array<const char*, 3> names{"not attempted", "wrong", "right"};
 
 Progress parse(const std::string& text)
 {
     const auto json = nlohmann::json::parse(text);
-    if (const int found = json.at("version").get<int>(); found != version)
-        throw std::runtime_error(fmt::format("it has version {}, and this program knows {}", found, version));
+    if (const int found = json.at("version").get<int>(); found != progressVersion)
+        throw std::runtime_error(fmt::format("it has version {}, and this program knows {}", found, progressVersion));
     Progress progress;
     progress.current = json.at("current").get<std::string>();
     for (const auto& [id, standing] : json.at("exercises").items())
@@ -68,7 +68,7 @@ Progress loadProgress(const std::string& path, std::string& notice)
 void saveProgress(const std::string& path, const Progress& progress)
 {
     nlohmann::ordered_json json{
-        {"version", version}, {"current", progress.current}, {"exercises", nlohmann::json::object()}};
+        {"version", progressVersion}, {"current", progress.current}, {"exercises", nlohmann::json::object()}};
     for (const auto& [id, standing] : progress.exercises) json["exercises"][id] = names[std::size_t(standing)];
     writeTextFile(path, json.dump(1) + "\n");
 }

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "common/image.h"
-#include "tests/grade/box/box.h"
+#include "tests/grade/box/temporary_folder.h"
 
 namespace rt::grade
 {

@@ -8,6 +8,7 @@
 #include "common/cli.h"
 #include "common/image.h"
 #include "tests/grade/box/compile.h"
+#include "tests/grade/box/temporary_folder.h"
 #include "tests/grade/questions/mistakes.h"
 #include "tests/grade/wire/remote.h"
 

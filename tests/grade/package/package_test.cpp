@@ -10,7 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "tests/grade/box/box.h"
+#include "tests/grade/box/temporary_folder.h"
 #include "tests/grade/package/text.h"
 
 namespace rt::grade

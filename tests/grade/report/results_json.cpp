@@ -17,7 +17,7 @@ namespace
 
 using OrderedJson = nlohmann::ordered_json;
 
-constexpr int version = 1;
+constexpr int resultsVersion = 1;
 
 /// Exact where it may be: a cut only if there is too much.
 std::string kept(const std::string& text)
@@ -76,7 +76,7 @@ OrderedJson exact(const ClassResult& one)
 
 OrderedJson exact(const SubmissionResult& result)
 {
-    OrderedJson json{{"version", version},
+    OrderedJson json{{"version", resultsVersion},
                      {"student", repaired(result.student)},
                      {"lesson", result.lesson},
                      {"key", kept(result.key)},

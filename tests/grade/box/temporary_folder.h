@@ -1,0 +1,28 @@
+// Folders for what students' programs read and write.
+#pragma once
+
+#include <string>
+
+namespace rt::grade
+{
+
+/// A fresh folder below the system's folder for temporary files, removed with all in it at the end. Others may enter it, not
+/// list it. Throws std::runtime_error.
+class TemporaryFolder
+{
+public:
+    TemporaryFolder();
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+    ~TemporaryFolder();
+    std::string path;
+
+private:
+    int lock; ///< held open and locked: says that somebody is still there. Goes with the process, however it ends
+};
+
+/// Removes what killed processes of this user have left: our folders that nobody holds and that are older than a minute.
+/// Returns how many.
+int removeAbandonedFolders();
+
+} // namespace rt::grade
