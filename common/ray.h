@@ -41,7 +41,7 @@ struct Ray
     RayKind kind = RayKind::camera;
     int depth = 0;                  ///< the camera ray has depth 0
     Real weight = 1;                ///< its share of what its parent returns, in [0, 1]
-    Real energy = 1;                ///< largest channel of the throughput from here to the pixel
+    Real energy = 1;                ///< at least the largest channel of the throughput from here to the pixel
     PrimitiveId from = noPrimitive; ///< the primitive that O lies on
 
     const Ahead<Real>* ahead = nullptr; ///< look_ahead.h: what was found for it already
