@@ -709,7 +709,6 @@ TEST(TreeDiff, MeasuresTheAngleInDegrees)
     EXPECT_NEAR(*firstDifference(fan({{0, 0, 1}}), fan({{0, 1e-7, 1}}))->angle, 1e-7 * 57.29577951308232, 1e-14);
 }
 
-/// Time is taken relative to half the size: a quadratic comparison would take minutes.
 /// Compares a tree of so many rays, one below the other or all below one, with trees that differ in one place each.
 void compareLarge(int nodes, bool deep)
 {

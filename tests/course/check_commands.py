@@ -145,6 +145,9 @@ def check_file(scratch, path, solved, missing):
         code, printed = scratch.run(line, here, SECONDS)
         output += printed
         ran += 1
+        for file in printed.splitlines():
+            if file.startswith(f"{here}/") and ":" not in file and not os.path.exists(file):
+                problem(path, number, f"'{command}' says that it wrote {file}, which is not there")
         if code == NO_SANDBOX and re.search(GRADER, command):
             ran, left = ran - 1, left + 1
         elif code is None:

@@ -144,7 +144,7 @@ def check_cases_belong_to_exercises():
 
 def check_folders():
     """No folder at the top but those a newcomer is told of. Without git nobody knows which files are the project's."""
-    listed = subprocess.run(["git", "-C", ROOT, "ls-files"], capture_output=True, text=True, check=False).stdout.splitlines()
+    listed = subprocess.run(["git", "-C", ROOT, "ls-files", "-z"], capture_output=True, text=True, check=False).stdout.split("\0")
     tops = {path.split("/")[0] for path in listed if "/" in path and not path.startswith(".")}
     for folder in sorted(tops - {"lessons", "common", "viz", "tests", "slides-notes"}):
         problems.append(f"{folder}/ is committed: expected lessons, common, viz, tests and slides-notes only")
