@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "common/picture_module.h"
 #include "common/scene_file.h"
 
 namespace rt
@@ -162,6 +163,11 @@ int runMain(CLI::App& app, int argc, char** argv, const std::function<int()>& wo
     catch (const CLI::ParseError& error)
     {
         std::cerr << app.get_name() << ": " << error.what() << " (see --help)\n";
+    }
+    catch (const NeedsOpenImageIO& error)
+    {
+        std::cerr << error.what() << '\n';
+        return exitNeedsOpenImageIO;
     }
     catch (const std::exception& error)
     {

@@ -6,6 +6,7 @@
 
 #include "common/explain.h"
 #include "common/scene_file.h"
+#include "lessons/program_main.h"
 
 namespace rt
 {

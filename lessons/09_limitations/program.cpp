@@ -5,7 +5,7 @@
 #include "common/cli.h"
 #include "common/scene_file.h"
 #include "lessons/entries.h"
-#include "lessons/registry.h"
+#include "lessons/facts.h"
 #include "pairs.h"
 
 namespace rt::lesson09

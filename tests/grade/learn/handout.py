@@ -187,6 +187,9 @@ class Handout:
         presets = json.loads(source("CMakePresets.json"))
         for kind in ("configurePresets", "buildPresets", "testPresets"):
             presets[kind] = [preset for preset in presets[kind] if preset["name"] in ("base", "student")]
+        for preset in presets["configurePresets"]:
+            if preset["name"] == "student":  # a hand-out is for `learn`
+                preset["cacheVariables"] |= {"RAYTREE_GRADER": "ON", "RAYTREE_PICTURES": "ON"}
         self.add("CMakePresets.json", json.dumps(presets, indent=2) + "\n")
         door = source("raytree")
         functions = [re.search(rf"^{name}\(\) {{\n.*?^}}\n", door, re.M | re.S)[0] for name in ("fail", "packages", "compile", "number")]
