@@ -6,18 +6,10 @@
 #include <CLI/CLI.hpp>
 
 #include "common/lesson_entry.h"
+#include "common/program.h"
 
 namespace rt
 {
-
-enum ExitCode
-{
-    exitDone = 0,
-    exitBadInput = 2,
-    exitNoDisplay = 3,
-    exitNeedsOpenImageIO = 5, ///< the front door installs it and starts the program again; 4 is `trade`'s
-    exitInterrupted = 130
-};
 
 /// The options that choose what is traced: all programs that trace have them.
 struct TraceOptions
@@ -50,15 +42,5 @@ std::vector<double> numbers(const std::string& text, std::size_t count, const st
 
 /// Runs a program's work. Every exception becomes one sentence on standard error and an exit code.
 int runMain(CLI::App& app, int argc, char** argv, const std::function<int()>& work);
-
-/// Set by Ctrl-C once watchInterrupt() has been called.
-const std::atomic<bool>& interrupted();
-void watchInterrupt();
-
-/// A progress callback: a bar on standard error if that is a terminal, once the work has lasted half a second.
-std::function<void(double)> progressBar(const std::string& title);
-
-/// The project's root folder: where its scenes and lesson texts are.
-std::string projectFile(const std::string& relative);
 
 } // namespace rt

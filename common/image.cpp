@@ -64,6 +64,7 @@ void writeBytes(const std::string& path, const std::string& bytes)
 /// Red, green, blue: a byte each, row by row.
 std::string srgbBytes(const Image& image)
 {
+    if (image.pixels.empty()) throw std::runtime_error("there are no pixels");
     std::string bytes;
     bytes.reserve(image.pixels.size() * 3);
     for (const auto& p : image.pixels)

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "common/cli.h"
 #include "common/image.h"
+#include "common/program.h"
 #include "viz/node_text.h"
 
 namespace rt::viz

@@ -1,9 +1,8 @@
 #include "viz/controller.h"
+#include "common/program.h"
 
 #include <algorithm>
 #include <limits>
-
-#include "common/cli.h"
 
 namespace rt::viz
 {

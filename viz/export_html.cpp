@@ -11,9 +11,9 @@
 #include <nlohmann/json.hpp>
 
 #include "common/base64.h"
-#include "common/cli.h"
 #include "common/image.h"
 #include "common/markup.h"
+#include "common/program.h"
 #include "viz/controller.h"
 #include "viz/html_data.h"
 #include "viz/picture_view.h"

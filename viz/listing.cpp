@@ -1,12 +1,11 @@
 #include "viz/listing.h"
+#include "common/program.h"
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
 #include <fstream>
 #include <string_view>
-
-#include "common/cli.h"
 
 namespace rt::viz
 {

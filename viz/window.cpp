@@ -8,7 +8,7 @@
 #include <vtkInteractorEventRecorder.h>
 #include <vtkUnsignedCharArray.h>
 
-#include "common/cli.h"
+#include "common/program.h"
 #include "viz/recording.h"
 
 namespace rt::viz

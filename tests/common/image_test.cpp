@@ -59,6 +59,15 @@ TEST_F(ImageFile, PngIsSrgbAndClamped)
     EXPECT_EQ(read.at(4, 2).z, 1);
 }
 
+TEST_F(ImageFile, PpmHasThePixelsOfPng)
+{
+    const auto png = (folder / "a.png").string(), ppm = (folder / "a.PPM").string();
+    writeImage(gradient(), png);
+    writeImage(gradient(), ppm);
+    EXPECT_EQ(readImage(ppm).pixels, readImage(png).pixels);
+    EXPECT_THROW(writeImage(Image(), ppm), std::runtime_error) << "no pixels";
+}
+
 TEST_F(ImageFile, PngInMemoryIsThatOnDisk)
 {
     const auto path = (folder / "a.png").string();

@@ -167,7 +167,6 @@ class Handout:
             raise Refused("tests/grade/box/make_kit.py: there is no line STUBS = {...}")
         self.add("tests/grade/box/make_kit.py", kit)
         self.add("tests/grade/box/no_sandbox.cpp", self.template("no_sandbox.cpp.in"))
-        self.add("tests/grade/wire/function_names.cpp", self.template("function_names.cpp.in"))
         self.add("tests/grade/CMakeLists.txt", self.template("grade.cmake.in"))
         for lesson in self.lessons:
             path = mistakes / f"{lesson:02}.json" if mistakes else None
@@ -339,7 +338,8 @@ def main():
     parser = argparse.ArgumentParser(prog="raytree handout", description=__doc__.split("\n")[0])
     parser.add_argument("--out", type=pathlib.Path, default=ROOT / "out/handout", help="default: out/handout")
     parser.add_argument("--lessons", default=f"{LESSONS[0]}-{LESSONS[-1]}", help="as in 0-3; default: %(default)s")
-    parser.add_argument("--mistakes", type=pathlib.Path, help="folder of NN.json, made by grade_mistakes")
+    parser.add_argument("--mistakes", type=pathlib.Path, default=ROOT / "tests/grade/mistakes",
+                        help="folder of NN.json, made by grade_mistakes; default: the stored ones")
     args = parser.parse_args()
     try:
         out = pathlib.Path(os.path.abspath(args.out))

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "common/cli.h"
 #include "common/image.h"
+#include "common/program.h"
 #include "tests/grade/box/compile.h"
 #include "tests/grade/box/temporary_folder.h"
 #include "tests/grade/questions/mistakes.h"
@@ -23,11 +23,8 @@ namespace fs = std::filesystem;
 /// What known mistakes answer; none if the file is not there.
 std::vector<KnownMistake> storedMistakes(int lesson)
 {
-    for (const std::string& folder :
-         {projectFile("tests/grade/mistakes"), std::string(RAYTREE_BINARY_DIR) + "/mistakes"})
-        if (const auto path = fmt::format("{}/{:02}.json", folder, lesson); fs::exists(path))
-            return mistakesFromJson(readTextFile(path));
-    return {};
+    const auto path = projectFile(fmt::format("tests/grade/mistakes/{:02}.json", lesson));
+    return fs::exists(path) ? mistakesFromJson(readTextFile(path)) : std::vector<KnownMistake>{};
 }
 
 void nameMistake(Attempt& attempt, const std::string& id, const Candidate& candidate, int lesson)

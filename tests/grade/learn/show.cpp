@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "common/cli.h"
 #include "common/image.h"
+#include "common/program.h"
 #include "common/scene_text.h"
 #include "tests/grade/learn/pictures.h"
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/image.h"
 #include "tests/grade/questions/manifest.h"
 
 namespace rt::grade
@@ -60,6 +61,16 @@ TEST(Mistakes, OfTwoThatExplainAnExerciseTheOneThatExplainsMoreIsNamed)
     EXPECT_EQ(likelyMistakes({{{"e", evidence}, {"f", evidence}}, {}}, known),
               (std::map<std::string, std::string>{{"e", "all"}, {"f", "all"}}));
     EXPECT_EQ(likelyMistakes({{{"e", evidence}}, {}}, known), (std::map<std::string, std::string>{{"e", "little"}}));
+}
+
+TEST(Mistakes, AreStoredAsTheyAnswer)
+{
+    for (const int lesson : exerciseLessons())
+    {
+        const auto stored = fmt::format("tests/grade/mistakes/{:02}.json", lesson);
+        EXPECT_TRUE(readTextFile(std::string(RAYTREE_SOURCE_DIR) + "/" + stored) == mistakesJson(lesson))
+            << stored << " is not what known mistakes answer; to write it anew: grade_mistakes tests/grade/mistakes";
+    }
 }
 
 TEST(Mistakes, InABrokenFileAreRefusedWithOneSentence)

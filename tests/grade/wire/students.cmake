@@ -1,6 +1,4 @@
 # Students' programs for the tests: the exercises as they are, solved, and one that misbehaves. The box compiles real ones.
-target_link_libraries(raytree_grade PRIVATE tomlplusplus::tomlplusplus)
-
 add_library(grade_runner OBJECT wire/runner.student.cpp)
 target_precompile_headers(grade_runner PRIVATE wire/student.h)
 target_compile_options(grade_runner PRIVATE -O1)

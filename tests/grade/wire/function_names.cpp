@@ -1,4 +1,5 @@
-// Which functions the exercise of a lesson has. The lessons themselves, which know it too, are not in a hand-out.
+// Which functions the exercise of a lesson has. The lessons themselves, which know it too (reference.cpp), are neither in `learn`
+// nor in a hand-out.
 #include "tests/grade/candidate.h"
 
 namespace rt::grade
@@ -11,7 +12,7 @@ namespace
 template <class R, class... Args>
 void mark(std::function<R(Args...)>& function)
 {
-    function = [](Args...) -> R { throw std::logic_error("a hand-out has no lessons"); };
+    function = [](Args...) -> R { throw std::logic_error("`learn` has no lessons"); };
 }
 
 } // namespace

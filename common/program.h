@@ -1,0 +1,30 @@
+// What programs share beside their command lines (cli.h), without CLI11's header, the one that takes longest to compile.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <string>
+
+namespace rt
+{
+
+enum ExitCode
+{
+    exitDone = 0,
+    exitBadInput = 2,
+    exitNoDisplay = 3,
+    exitNeedsOpenImageIO = 5, ///< the front door installs it and starts the program again; 4 is `trade`'s
+    exitInterrupted = 130
+};
+
+/// Set by Ctrl-C once watchInterrupt() has been called.
+const std::atomic<bool>& interrupted();
+void watchInterrupt();
+
+/// A progress callback: a bar on standard error if that is a terminal, once the work has lasted half a second.
+std::function<void(double)> progressBar(const std::string& title);
+
+/// The project's root folder: where its scenes and lesson texts are.
+std::string projectFile(const std::string& relative);
+
+} // namespace rt
