@@ -150,7 +150,7 @@ $by_hand"
 # A conda environment brings compilers, tools and libraries of its own to the PATH; they do not fit those of the system. Prints
 # the PATH without them.
 path_without_conda() {
-    printf '%s' "$PATH" | tr ':' '\n' | while IFS= read -r folder; do
+    printf '%s\n' "$PATH" | tr ':' '\n' | while IFS= read -r folder; do
         [ -d "${folder%/*}/conda-meta" ] || printf '%s:' "$folder"
     done | sed 's/:$//'
 }
@@ -207,6 +207,21 @@ compile() {
     [ "$status" = 0 ] || fail "the build failed: see above"
 }
 
+# prepare "NEEDED ..." "USEFUL ..." "PART ..." [OPTION ...]: packages, configuration and build, when it is our turn.
+prepare() {
+    needed_here=$1 useful_here=$2 parts_here=$3
+    shift 3
+    take_turn
+    path=$PATH
+    PATH=$(path_without_conda)
+    packages "$needed_here" "$useful_here"
+    # shellcheck disable=SC2086
+    configure $parts_here
+    compile "$@"
+    PATH=$path
+    end_turn
+}
+
 # The lesson's number in two digits.
 number() {
     case "${1:-}" in
@@ -214,6 +229,16 @@ number() {
         [0-9][0-9]) echo "$1" ;;
         *) fail "expected the number of a lesson, got \"${1:-}\" (as in: ./raytree $word 2)" ;;
     esac
+}
+
+# help_of NAME [NN]: what a program can do, without building it.
+help_of() {
+    if [ -f "$root/common/help/$1$2.txt" ]; then
+        cat "$root/common/help/$1$2.txt"
+    else
+        sed "s/NN/${2:-NN}/g" "$root/common/help/$1.txt"
+    fi
+    exit 0
 }
 
 # Are we asked what a word can do? That is answered at once, without building.

@@ -188,11 +188,8 @@ class Handout:
         for kind in ("configurePresets", "buildPresets", "testPresets"):
             presets[kind] = [preset for preset in presets[kind] if preset["name"] in ("base", "student")]
         self.add("CMakePresets.json", json.dumps(presets, indent=2) + "\n")
-        door = source("raytree")
-        functions = [re.search(rf"^{name}\(\) {{\n.*?^}}\n", door, re.M | re.S)[0] for name in ("fail", "packages", "compile", "number")]
-        core = re.search(r'^core_packages="(.*?)"', door, re.M | re.S)[1]
-        self.add("raytree", self.template("raytree.in", CORE=core, FUNCTIONS="\n".join(functions),
-                                          LESSONS=self.numbers()), True)
+        self.add("raytree", self.template("raytree.in", LESSONS=self.numbers()), True)
+        self.copy("common/front_door.sh", "common/help/learn.txt", "common/help/exercise*.txt")
         table = "".join(f"| [{folder_of(n).name}](lessons/{folder_of(n).name}/README.md) | "
                         f"{sum(e['points'] for e in chosen if e['lesson'] == n)} | `./raytree learn {n}` |\n"
                         for n in self.lessons)
