@@ -239,6 +239,22 @@ class FrontDoor(unittest.TestCase):
         self.raytree("lesson", "2", PATH=f"{conda}/bin:{self.tools}")
         self.assertEqual((self.facts / "path").read_text().strip(), str(self.tools))
 
+    def test_a_clone_with_line_ends_of_windows(self):
+        """As git for Windows clones, with core.autocrlf: the scripts keep their line ends."""
+        def git(*words):
+            subprocess.run(["git", "-c", "user.name=a", "-c", "user.email=a@b.c", "-c", "core.autocrlf=true", "-c", "safe.directory=*", *words],
+                           env={"PATH": os.environ["PATH"], "HOME": str(self.place)}, cwd=self.place, check=True, capture_output=True)
+        source = self.place / "source"
+        (source / "common").mkdir(parents=True)
+        for name in ("raytree", ".gitattributes", "common/front_door.sh"):
+            shutil.copy(ROOT / name, source / name)
+        git("init", str(source))
+        git("-C", str(source), "add", ".")
+        git("-C", str(source), "commit", "-m", "all")
+        git("clone", str(source), "windows")
+        for name in ("raytree", "common/front_door.sh"):
+            self.assertNotIn(b"\r", (self.place / "windows" / name).read_bytes())
+
     def test_one_builds_while_the_others_wait(self):
         (self.facts / "slow").touch()
         commands = (["lesson", "2"], ["grade", "6"], ["view"])
