@@ -7,6 +7,7 @@
 
 #include "bench_common.h"
 #include "common/camera.h"
+#include "common/guarded_main.h"
 #include "common/image.h"
 #include "common/scene.h"
 #include "common/scene_file.h"
@@ -198,11 +199,16 @@ Measured measure(const SceneDescription& description, const SceneOptions& option
     return measured;
 }
 
-} // namespace
-
-int main(int argc, char** argv)
+int run(int argc, char** argv)
 {
     CLI::App app("Measures one picture with Embree's sphere geometry; prints one line of JSON.", "bench_embree");
     SceneOptions options;
     return runBench(app, argc, argv, options, [&](const SceneDescription& scene) { return measure(scene, options); });
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    return rt::guarded(argv, [&] { return run(argc, argv); });
 }

@@ -5,6 +5,7 @@
 #include <OpenImageIO/imageio.h>
 
 #include "common/cli.h"
+#include "common/guarded_main.h"
 #include "lessons/10_speed_and_accuracy/metrics.h"
 
 namespace
@@ -25,9 +26,7 @@ rt::Image linearImage(const std::string& path)
     return image;
 }
 
-} // namespace
-
-int main(int argc, char** argv)
+int run(int argc, char** argv)
 {
     CLI::App app("PSNR of a linear picture against a reference, peak 1, both clamped to [0, 1].", "picture_psnr");
     std::string picture, reference;
@@ -48,4 +47,11 @@ int main(int argc, char** argv)
                                  std::min(errors.psnr, 999.0), errors.visible, a.pixels.size(), errors.nonFinite);
         return int(rt::exitDone);
     });
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    return rt::guarded(argv, [&] { return run(argc, argv); });
 }
