@@ -27,7 +27,7 @@ def scenes():
 def check(scene):
     with tempfile.TemporaryDirectory() as folder:
         picture = pathlib.Path(folder) / "p.ppm"
-        done = subprocess.run([str(BIN / "render"), str(scene), "--size", SIZE, "--out", str(picture), "--tree", "json"], capture_output=True, timeout=60)
+        done = subprocess.run([str(BIN / "render"), str(scene), "--size", SIZE, "--out", str(picture), "--tree", "json"], capture_output=True, timeout=600)
         if done.returncode:
             problem(scene, 1, f"does not render: {done.stderr.decode().strip()}")
             return

@@ -60,7 +60,7 @@ class Scratch:
         (build / "build.ninja").touch()
         return here
 
-    def run(self, command, here, seconds=120):
+    def run(self, command, here, seconds=600):
         """A line for the shell. Returns (exit code, all output); the exit code is None when the time was over."""
         try:
             done = subprocess.run(["sh", "-c", command], cwd=here, env=self.environment, stdin=subprocess.DEVNULL,

@@ -23,7 +23,7 @@ import make_exercises
 from packages import PACKAGES
 
 NOTHING = 0.02  # of all points: what "none" may still earn
-SECONDS = 600  # for the whole class
+SECONDS = 3000  # for the whole class
 
 
 def exercise_text(lesson, base):
