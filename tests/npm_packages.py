@@ -17,7 +17,7 @@ import urllib.request
 
 LOCK = json.loads((pathlib.Path(__file__).resolve().parent / "npm_packages.json").read_text(encoding="utf-8"))
 REGISTRY = "https://registry.npmjs.org"
-PATIENCE = 60  # seconds without a byte
+PATIENCE = 300  # seconds without a byte
 
 
 class Missing(Exception):

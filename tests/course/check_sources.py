@@ -165,6 +165,29 @@ def check_mains():
         problems.append(f"{name} is allowed a main without a guard and has none: take it off the list")
 
 
+PATIENCE = 300  # seconds; a bound of that many says "it hangs" and nothing of speed
+# Comparisons with fewer seconds that say nothing of speed: file -> why.
+OF_LIMITS = {"tests/grade/box/child_test.cpp": "processor time under a limit of one second"}
+
+
+def check_no_seconds():
+    """No test asserts how fast something is: on a slow or busy machine it would fail. Bounds against hanging are large."""
+    compared = [re.compile(r"(?:EXPECT|ASSERT)_L[TE]\(.*(?:[sS]econds|steady_clock|elapsed|[tT]ook)\b.*?, *([\d.]+)\)"),
+                re.compile(r"assertLess(?:Equal)?\(time\.\w+\(\) - \w+, *([\d.]+)"),
+                re.compile(r"(?:check|expect|assert\w*)\(.*time\.(?:time|monotonic|perf_counter)\(\) - \w+ <=? *([\d.]+)"),
+                re.compile(r"\btimeout=([\d.]+)"), re.compile(r"^(?:PATIENCE|SECONDS) = ([\d.]+)"), re.compile(r"\bwait_for\(([\d.]+)s\)")]
+    found = set()
+    for path in sorted(path for ending in ("cpp", "h", "py") for path in (ROOT / "tests").rglob(f"*.{ending}")):
+        name = str(path.relative_to(ROOT))
+        for number, line in enumerate(path.read_text().splitlines(), 1):
+            if any(float(match[1]) < PATIENCE for pattern in compared for match in pattern.finditer(line)):
+                found.add(name)
+                if name not in OF_LIMITS:
+                    problems.append(f"{name}:{number}: a bound of seconds, expected at least {PATIENCE} or a comparison with another time: {line.strip()}")
+    for name in sorted(OF_LIMITS.keys() - found):
+        problems.append(f"{name} is allowed bounds of seconds and has none: take it off the list")
+
+
 def check_folders():
     """Nothing at the top but what a newcomer is told of. Without git nobody knows which files are the project's."""
     tops = {path.split("/")[0] + "/" * ("/" in path) for path in texts.committed() if not path.startswith(".")}
@@ -172,7 +195,7 @@ def check_folders():
         problems.append(f"{top} is committed: expected {', '.join(texts.FOLDERS)} and the files in tests/course/texts.py only")
 
 
-for check in (check_folders, check_mains, check_arrows, check_small_steps, check_no_epsilon, check_lessons_are_complete, check_cases_belong_to_exercises):
+for check in (check_folders, check_mains, check_no_seconds, check_arrows, check_small_steps, check_no_epsilon, check_lessons_are_complete, check_cases_belong_to_exercises):
     check()
 for problem in problems:
     print(problem, file=sys.stderr)

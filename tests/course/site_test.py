@@ -310,6 +310,7 @@ def main():
     with tempfile.TemporaryDirectory(prefix="raytree-site-") as folder:
         site = pathlib.Path(os.environ.get("RAYTREE_SITE", pathlib.Path(folder) / "site")).resolve()
         started = time.time()
+        done = None
         if "RAYTREE_SITE" not in os.environ:
             done = build(programs, cache, site, "--draft")
             print(done.stderr, end="")
@@ -320,6 +321,9 @@ def main():
         check_new_lines()
         check_navigation()
         check_mistakes(programs, cache, pathlib.Path(folder))
+        if not (site / "widgets/widgets.js").is_file():
+            said = [line for line in (done.stderr if done else "").splitlines() if "without widgets" in line]
+            skipped.append(f"the site has no widgets: {(said or ['none were made'])[0]}")
         files = check_files(site)
         axe = install_axe(cache / "axe")
         check_browser(site, files, axe)

@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """Writes the widgets of the notes: widgets.js, with the lessons' C++ in it as WebAssembly, and widgets.css.
 
-usage: build.py OUTDIR"""
+usage: build.py OUTDIR
+
+Exit codes: 0 done, 2 bad usage or a mistake in the sources, 3 a package is missing."""
 import base64
 import functools
 import pathlib
@@ -19,9 +21,12 @@ PACKAGES = "clang lld wasi-libc libc++-dev-wasm32 libclang-rt-dev-wasm32 libglm-
 OLDEST = 14
 
 
-def fail(message):
+NOT_HERE = 3  # exit code: a package is missing, so that a site is made without widgets
+
+
+def fail(message, code=2):
     print(f"build.py: {message}", file=sys.stderr)
-    sys.exit(2)
+    sys.exit(code)
 
 
 def find_clang():
@@ -84,7 +89,7 @@ def main():
         print(__doc__, file=sys.stderr)
         return 2
     if why := missing():
-        fail(why)
+        fail(why, NOT_HERE)
     out = pathlib.Path(sys.argv[1])
     out.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(prefix="raytree-widgets-") as folder:
