@@ -276,7 +276,7 @@ TEST_F(RunProcess, WorksFromSeveralThreads)
             }
         });
     // Threads that hang must not keep the others' pipes open.
-    threads.emplace_back([] { runProcess({"sleep", "60"}, {.seconds = 0.5}); });
+    threads.emplace_back([] { runProcess({"sleep", "600"}, {.seconds = 0.5}); });
     for (auto& thread : threads) thread.join();
     EXPECT_EQ(right, 80);
 }
@@ -296,9 +296,10 @@ TEST_F(RunProcess, InheritsNeitherFilesNorSignals)
 
 TEST_F(RunProcess, LimitsProcessorTimeAndCores)
 {
-    const unsigned all = 4 * std::max(1U, std::thread::hardware_concurrency());
-    // A shell sees limits that are set just after its start only a moment later.
-    EXPECT_EQ(shell("sleep 0.1; ulimit -t; ulimit -c", {.seconds = 2.5}).out, fmt::format("{}\n0\n", all));
+    const unsigned all = (unsigned(patience) + 1) * std::max(1U, std::thread::hardware_concurrency());
+    // A shell sees limits that are set just after its start only later.
+    const std::string wait = "while [ $(ulimit -t) = unlimited ]; do sleep 0.01; done; ";
+    EXPECT_EQ(shell(wait + "ulimit -t; ulimit -c").out, fmt::format("{}\n0\n", all));
     EXPECT_EQ(shell("sleep 0.1; ulimit -t", {.seconds = HUGE_VAL}).out, "unlimited\n");
 }
 

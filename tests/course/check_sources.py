@@ -175,7 +175,7 @@ def check_no_seconds():
     compared = [re.compile(r"(?:EXPECT|ASSERT)_L[TE]\(.*(?:[sS]econds|steady_clock|elapsed|[tT]ook)\b.*?, *([\d.]+)\)"),
                 re.compile(r"assertLess(?:Equal)?\(time\.\w+\(\) - \w+, *([\d.]+)"),
                 re.compile(r"(?:check|expect|assert\w*)\(.*time\.(?:time|monotonic|perf_counter)\(\) - \w+ <=? *([\d.]+)"),
-                re.compile(r"\btimeout=([\d.]+)"), re.compile(r"^(?:PATIENCE|SECONDS) = ([\d.]+)"), re.compile(r"\bwait_for\(([\d.]+)s\)")]
+                re.compile(r"\b(?:timeout|seconds)=([\d.]+)\b"), re.compile(r"^(?:PATIENCE|SECONDS) = ([\d.]+)"), re.compile(r"\bwait_for\(([\d.]+)s\)")]
     found = set()
     for path in sorted(path for ending in ("cpp", "h", "py") for path in (ROOT / "tests").rglob(f"*.{ending}")):
         name = str(path.relative_to(ROOT))
