@@ -1,6 +1,7 @@
+#include "common/guarded_main.h"
 #include "lessons/lesson_main.h"
 
 int main(int argc, char** argv)
 {
-    return rt::renderMain(argc, argv);
+    return rt::guarded(argv, [&] { return rt::renderMain(argc, argv); });
 }

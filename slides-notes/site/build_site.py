@@ -19,7 +19,8 @@ try:
     from site_builder import Site
     from course import ROOT, SiteError
 except ImportError as error:
-    sys.exit(f"raytree notes: {error}; the package is in the list site_packages of ./raytree")
+    print(f"raytree notes: {error}; the package is in the list site_packages of ./raytree", file=sys.stderr)
+    sys.exit(2)
 
 MARKER = ".raytree-site"  # says that a folder is a site, and ours to replace
 
@@ -62,7 +63,10 @@ def main():
         with tempfile.TemporaryDirectory(prefix=f".{out.name}-", dir=out.parent) as folder:
             built = pathlib.Path(folder) / "site"
             built.mkdir()
-            count = Site(built, given.programs.resolve(), given.cache.resolve(), given.draft, not given.no_api, say).build()
+            api = not given.no_api and bool(shutil.which("doxygen"))
+            if not api and not given.no_api:
+                say("without the functions of common/: doxygen is not installed")
+            count = Site(built, given.programs.resolve(), given.cache.resolve(), given.draft, api, say).build()
             (built / MARKER).write_text("")
             built.chmod(0o755)
             replace(built, out)

@@ -99,10 +99,13 @@ class Site:
         folder = self.out / "assets"
         shutil.copytree(HERE / "assets", folder)
         (folder / "fonts").mkdir()
-        try:
-            for place, names in FONTS.items():
+        for place, names in FONTS.items():
+            if all(Path(place, name).is_file() for name in names):
                 for name in names:
                     shutil.copyfile(f"{place}/{name}", folder / "fonts" / name)
+            else:
+                self.say(f"without the fonts of {place}, which are not installed: browsers take others")
+        try:
             css = open(KATEX).read()
             # One format is enough: every browser of the last ten years reads it.
             css = re.sub(r'src:url\(fonts/([\w-]+)\.woff2\) format\("woff2"\)[^}]*', r'src:url(fonts/\1.woff2) format("woff2")', css)
@@ -125,6 +128,9 @@ class Site:
                 with tempfile.TemporaryDirectory(dir=self.cache) as folder:
                     part = Path(folder) / "widgets"
                     done = subprocess.run([sys.executable, "-B", source / "build.py", part], capture_output=True, text=True, check=False)
+                    if done.returncode == 3:  # a package is missing
+                        self.say(f"without widgets: {done.stderr.strip().removeprefix('build.py: ')}")
+                        return False
                     if done.returncode:
                         raise SiteError(f"widgets: {(done.stderr.strip() or 'build.py failed').splitlines()[0]}")
                     part.rename(made)

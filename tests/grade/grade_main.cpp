@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "common/cli.h"
+#include "common/guarded_main.h"
 #include "common/image.h"
 #include "common/scene_text.h"
 #include "tests/grade/box/temporary_folder.h"
@@ -300,19 +301,14 @@ int run(const Options& options)
     return done.graderErrors ? int(exitGraderError) : int(exitDone);
 }
 
-} // namespace
-
-} // namespace rt::grade
-
-int main(int argc, char** argv)
+int gradeMain(int argc, char** argv)
 {
-    using namespace rt::grade;
     CLI::App app(
         "Grades a class: each submission is compiled and asked in a sandbox; what is right is decided outside.",
         "grade");
     Options options;
     addOptions(app, options);
-    return rt::runMain(app, argc, argv, [&] {
+    return runMain(app, argc, argv, [&] {
         try
         {
             return run(options);
@@ -323,4 +319,13 @@ int main(int argc, char** argv)
             return int(exitNoSandbox);
         }
     });
+}
+
+} // namespace
+
+} // namespace rt::grade
+
+int main(int argc, char** argv)
+{
+    return rt::guarded(argv, [&] { return rt::grade::gradeMain(argc, argv); });
 }

@@ -14,12 +14,13 @@ import tempfile
 import time
 
 WIDTH, HEIGHT = 1600, 900
-PATIENCE = 60  # seconds for what takes a tenth of one on an idle machine
+PATIENCE = 600  # seconds for what takes a tenth of one on an idle machine: only what hangs takes them
 
 
 def missing():
-    """The first program that is needed and not installed, or None."""
-    return next((name for name in ("Xvfb", "xdotool") if not shutil.which(name)), None)
+    """Why there can be no screen, as a sentence; empty if there can."""
+    return next((f"{name} is not installed (Debian's package {package})"
+                 for name, package in (("Xvfb", "xvfb"), ("xdotool", "xdotool")) if not shutil.which(name)), "")
 
 
 def wait_for(condition, what):

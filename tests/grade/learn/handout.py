@@ -345,6 +345,9 @@ def main():
     except Refused as refused:
         print(f"raytree handout: {refused}", file=sys.stderr)
         sys.exit(2)
+    except OSError as error:
+        print(f"raytree handout: {error.filename or args.out}: {error.strerror}", file=sys.stderr)
+        sys.exit(2)
     notice(handout)
     print(out)
     print(packed)
