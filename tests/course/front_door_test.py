@@ -46,7 +46,8 @@ case "$1" in
         if [ "${2:-}" = build.ninja ] && [ -f "$FACTS/broken-configure" ]; then rm "$FACTS/broken-configure"; exit 1; fi
         if [ -f "$FACTS/slow" ]; then echo begins >>"$FACTS/turns"; sleep 1; echo ends >>"$FACTS/turns"; fi
         [ $# = 0 ] || shift
-        for target; do printf '#!/bin/sh\\necho "%s: $*"\\n' "$target" >"$build/bin/$target"; chmod +x "$build/bin/$target"; done ;;
+        [ ! -f "$FACTS/broken-build" ] || exit 1
+        for target; do printf '#!/bin/sh\\necho "%s: $*"\\nexit %s' "$target" "$(cat "$FACTS/exits" 2>/dev/null || echo 0)" >"$build/bin/$target"; chmod +x "$build/bin/$target"; done ;;
     *)
         if [ "$1" != --fresh ] && [ -f "$FACTS/broken-configure" ]; then rm "$FACTS/broken-configure"; exit 1; fi
         if [ -f "$FACTS/broken-cmake" ]; then echo "CMake Error: no"; exit 1; fi
@@ -59,7 +60,9 @@ while [ "${1#-}" != "$1" ]; do shift; done
 echo "sudo $*" >>"$FACTS/log"
 exec "$@"''',
     "id": '''if [ "$1" = -u ]; then cat "$FACTS/uid"; else echo somebody; fi''',
-    "ctest": '''echo "ctest $*" >>"$FACTS/log"''',
+    "ctest": '''echo "ctest $*" >>"$FACTS/log"
+while [ "$1" != --output-junit ]; do shift; done
+echo '<testsuite><testcase name="a" status="run"/></testsuite>' >"$2"''',
 }
 
 
@@ -295,6 +298,22 @@ class FrontDoor(unittest.TestCase):
         (self.facts / "broken-cmake").touch()
         _, err = self.raytree("lesson", "2", code=2)
         self.assertIn("cmake failed", err)
+        (self.facts / "broken-cmake").unlink()
+        (self.facts / "broken-build").touch()
+        _, err = self.raytree("lesson", "2", code=2)
+        self.assertIn("the build failed", err)
+
+    def test_what_the_program_says_comes_through(self):
+        (self.facts / "exits").write_text("7")
+        out, _ = self.raytree("grade", "9", code=7)
+        self.assertEqual(out, "grade: 9\n")
+
+    def test_programs_of_tests_by_name(self):
+        self.raytree("test", "common_tests", "lesson_tests", "-V")
+        log = self.log()
+        self.assertIn("--target common_tests lesson_tests\n", log)
+        self.assertIn("-R ^(common_tests|lesson_tests)$ --no-tests=error -V\n", log)
+        self.assertNotIn("chromium", self.installed())
 
     def test_usage_mistakes(self):
         for words, says in ((["lessen"], "unknown command \"lessen\""), (["lesson"], "expected the number"), (["lesson", "77"], "there is no lesson 77"),

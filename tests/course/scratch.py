@@ -14,7 +14,7 @@ from texts import FILES, FOLDERS, ROOT
 
 BIN = pathlib.Path(sys.argv.pop(1)).resolve()
 STUBS = {
-    "dpkg-query": "echo install ok installed\n",
+    "dpkg-query": 'for package; do echo "$package installed"; done\n',
     "cmake": f'''[ "$1" = --build ] || exit 0
 while [ $# -gt 0 ]; do
     if [ "$1" = --target ] && ! [ -e "{BIN}/$2" ] && ! [ -e "{BIN.parent}/$2" ]; then echo "no target $2" >&2; exit 1; fi
