@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iostream>
 
+#include "common/sky.h"
 #include "tests/grade/wire/payload.h"
 
 namespace rt::bits
@@ -44,6 +45,28 @@ struct Traced
     std::string picture, tree;
 };
 
+/// The functions that are not exact in IEEE 754, at random places, and the one mapping of skies that no scene has.
+/// check_bits.py knows their order.
+template <std::floating_point Real>
+std::string functionValues()
+{
+    grade::Writer values;
+    std::uint64_t state = 1;
+    const auto random = [&] {
+        state = state * 6364136223846793005ULL + 1442695040888963407ULL;
+        return Real(double(state >> 11) * 0x1p-53);
+    };
+    for (int i = 0; i < 4000; ++i)
+    {
+        const Real x = random(), y = random(), side = 2 * y - 1;
+        const auto [u, v] = SkyFormulas<Real>::angularMap(unit(Vec3<Real>(2 * x - 1, side, 2 * random() - 1)));
+        for (const Real value : {portable::pow(i % 2 ? x : 1 - x * x / 10, 1000 * y), portable::atan2(x, side),
+                                 portable::acos(side), portable::hypot(x, y), portable::sin(x), portable::tan(x), u, v})
+            values.plain(double(value));
+    }
+    return std::move(values.bytes);
+}
+
 /// FNV-1a.
 inline std::uint64_t hash(std::string_view bytes)
 {
@@ -64,7 +87,7 @@ inline void writeBytes(const std::string& path, const std::string& bytes)
 }
 
 /// Without words: a line of hashes for each scene, lesson and type. With "FILE LESSON TYPE OUT": the bytes behind one line,
-/// into OUT.picture and OUT.tree. `trace` takes a Shipped, the lesson's number and float() or double().
+/// into OUT.picture and OUT.tree, or of "functions 0 TYPE OUT" into OUT.values. `trace` takes a Shipped, the lesson's number and float() or double().
 template <class Trace>
 int run(const std::vector<Shipped>& scenes, const std::vector<std::string>& words, const Trace& trace)
 {
@@ -84,6 +107,17 @@ int run(const std::vector<Shipped>& scenes, const std::vector<std::string>& word
             writeBytes(words[3] + ".tree", traced.tree);
         }
     };
+    const auto functions = [&](auto zero, const std::string& type) {
+        if (!words.empty() && (words[0] != "functions" || words[2] != type)) return;
+        found = true;
+        const std::string values = functionValues<decltype(zero)>();
+        if (words.empty())
+            std::printf("functions lesson 0 %s: values %016" PRIx64 "\n", type.c_str(), hash(values));
+        else
+            writeBytes(words[3] + ".values", values);
+    };
+    functions(float(), "float");
+    functions(double(), "double");
     for (const auto& shipped : scenes)
         for (const int lesson : shipped.lessons)
         {
