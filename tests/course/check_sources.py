@@ -29,7 +29,7 @@ def includes(path):
 def check_arrows():
     """Core headers need glm and the standard library, and oneTBB for threads; only viz/ needs VTK; nothing needs tests/; a lesson only lesson.h."""
     core = ["vec", "ray", "hit", "material", "light", "shapes", "camera", "scene", "scene_description", "recorder", "todo",
-            "lesson", "exercise", "tree_recorder", "ray_tree", "image", "sky", "pixel", "bvh", "bvh_build", "lanes",
+            "lesson", "exercise", "portable", "tree_recorder", "ray_tree", "image", "sky", "pixel", "bvh", "bvh_build", "lanes",
             "sphere_search", "triangle_search", "look_ahead", "parallel"]
     for name in core:
         for include in includes(ROOT / f"common/{name}.h"):
