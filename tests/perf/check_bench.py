@@ -18,10 +18,11 @@ import unittest
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 from programs import BIN, ROOT, ProgramTest
 
-sys.path.insert(0, str(ROOT / "tests/perf"))
+sys.path[:0] = [str(ROOT / "tests/perf"), str(ROOT / "common")]
 import bench_page
 import bench_report
 import bench_run
+from children import Children
 
 BENCH = (sys.executable, ROOT / "tests/perf/bench.py")
 PICTURE = ("--no-peers", "--no-parts", "--no-growth", "--no-instructions")
@@ -86,7 +87,7 @@ class Bench(ProgramTest):
         if not shutil.which("povray"):
             print("SKIPPED: povray is not installed, so nothing bears witness to the export", file=sys.stderr)
             self.skipTest("povray is not installed")
-        runner = bench_run.Runner(BIN, self.here)
+        runner = bench_run.Runner(BIN, self.here, Children())
         for scene in ("02_mirrors/scenes/pure_specular.toml", "06_fresnel/scenes/half_and_glass.toml"):
             file = ROOT / "lessons" / scene
             ours = self.measured(file, "--size", "160x120", "--count", "--out", "ours.exr")
