@@ -2,13 +2,13 @@
 
 #include <charconv>
 #include <chrono>
-#include <csignal>
 #include <iostream>
 #include <mutex>
 
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "common/ray_limit.h"
 #include "common/scene_file.h"
 
 namespace rt
@@ -16,8 +16,6 @@ namespace rt
 
 namespace
 {
-
-std::atomic<bool> interruptSeen = false;
 
 int wholeNumber(const std::string& text, const std::string& option, const char* expected)
 {
@@ -58,7 +56,12 @@ void addTraceOptions(CLI::App& app, TraceOptions& options)
     app.add_option("--real", options.real, "scalar type")
         ->check(CLI::IsMember({"float", "double", "long-double"}))
         ->capture_default_str();
-    app.add_option("--depth", options.depth, "MAXDEPTH: rays of this depth are traced, deeper ones are not")
+    app.add_option(
+           "--depth", options.depth,
+           fmt::format(
+               "MAXDEPTH: rays of this depth are traced, deeper ones are not; glass doubles their number at each "
+               "depth, and a pixel that leads to more than {} rays ends the program",
+               rayLimitText))
         ->check(CLI::Range(0, deepestTrace))
         ->type_name("N");
     app.add_option("--fresnel", options.fresnel, "how glass splits light; default: the scene's")
@@ -142,10 +145,15 @@ Probe probe(const TraceOptions& options, const SceneDescription& scene)
 
 int runMain(CLI::App& app, int argc, char** argv, const std::function<int()>& work)
 {
+    endAtInterrupt();
     try
     {
         app.parse(argc, argv);
         return work();
+    }
+    catch (const Stopped&)
+    {
+        return sayInterrupted();
     }
     catch (const CLI::Success& help)
     {
@@ -168,18 +176,6 @@ int runMain(CLI::App& app, int argc, char** argv, const std::function<int()>& wo
         std::cerr << app.get_name() << ": " << error.what() << '\n';
     }
     return exitBadInput;
-}
-
-const std::atomic<bool>& interrupted()
-{
-    return interruptSeen;
-}
-
-void watchInterrupt()
-{
-    std::signal(SIGINT, [](int) { interruptSeen = true; });
-    std::signal(SIGTERM, [](int) { interruptSeen = true; });
-    std::signal(SIGHUP, [](int) { interruptSeen = true; });
 }
 
 std::function<void(double)> progressBar(const std::string& title)

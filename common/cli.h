@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "common/interrupt.h"
 #include "common/lesson_entry.h"
 
 namespace rt
@@ -47,12 +48,9 @@ Probe probe(const TraceOptions& options, const SceneDescription& scene);
 /// Numbers separated by commas, exactly `count` of them, all finite. Throws CLI::ValidationError naming the option.
 std::vector<double> numbers(const std::string& text, std::size_t count, const std::string& option);
 
-/// Runs a program's work. Every exception becomes one sentence on standard error and an exit code.
+/// Runs a program's work. Every exception becomes one sentence on standard error and an exit code, and signals end it
+/// (interrupt.h).
 int runMain(CLI::App& app, int argc, char** argv, const std::function<int()>& work);
-
-/// Set by Ctrl-C once watchInterrupt() has been called.
-const std::atomic<bool>& interrupted();
-void watchInterrupt();
 
 /// A progress callback: a bar on standard error if that is a terminal, once the work has lasted half a second.
 std::function<void(double)> progressBar(const std::string& title);

@@ -7,9 +7,11 @@
 
 #include <fcntl.h>
 #include <signal.h>
-#include <spawn.h>
+#include <sys/wait.h>
 
 #include <fmt/format.h>
+
+#include "common/keeper.h"
 
 namespace rt
 {
@@ -48,37 +50,90 @@ void setNonBlocking(const Descriptor& descriptor)
     ::fcntl(descriptor.fd, F_SETFL, O_NONBLOCK);
 }
 
+namespace
+{
+
+/// What the child needs is made before it is: it may call nothing but the system.
+struct Start
+{
+    char** words;
+    char** environment;
+    std::span<const int> descriptors;
+    int nothing; ///< /dev/null
+    int keeper;
+    sigset_t mask;
+    volatile int error = 0;
+};
+
+/// In the child, in our memory, while our thread stands still.
+[[noreturn]] void become(Start& start)
+{
+    // Whatever signals we block or ignore, the program starts as from a shell. No handler of ours may run here: all signals
+    // are still blocked.
+    struct sigaction action
+    {
+    };
+    action.sa_handler = SIG_DFL;
+    for (int number = 1; number < NSIG; ++number) ::sigaction(number, &action, nullptr);
+    ::setpgid(0, 0);
+    // Before there is anything to kill: else who kills us right now leaves it behind.
+    tellKeeper(start.keeper, '+', ::getpid());
+    const int count = int(start.descriptors.size());
+    for (int i = 0; i < count && !start.error; ++i)
+    {
+        const int from = start.descriptors[std::size_t(i)];
+        if (::dup2(from < 0 ? start.nothing : from, i) < 0) start.error = errno;
+    }
+    ::close_range(unsigned(count), ~0U, 0);
+    ::pthread_sigmask(SIG_SETMASK, &start.mask, nullptr);
+    if (!start.error) ::execvpe(start.words[0], start.words, start.environment);
+    if (!start.error) start.error = errno;
+    ::_exit(127);
+}
+
+/// By itself: what a function has in registers may be lost after vfork.
+[[gnu::noinline]] pid_t startChild(Start& start)
+{
+    const pid_t pid = ::vfork();
+    if (pid == 0) become(start);
+    return pid;
+}
+
+} // namespace
+
 pid_t startProcess(const std::vector<std::string>& argv, std::span<const int> descriptors,
                    const std::vector<std::string>* environment)
 {
-    posix_spawn_file_actions_t files;
-    posix_spawnattr_t attributes;
-    ::posix_spawn_file_actions_init(&files);
-    ::posix_spawnattr_init(&attributes);
-    for (int i = 0; i < int(descriptors.size()); ++i)
-        if (descriptors[std::size_t(i)] < 0)
-            ::posix_spawn_file_actions_addopen(&files, i, "/dev/null", O_RDONLY, 0);
-        else
-            ::posix_spawn_file_actions_adddup2(&files, descriptors[std::size_t(i)], i);
-    ::posix_spawn_file_actions_addclosefrom_np(&files, int(descriptors.size()));
-    // Whatever signals we block or ignore, the program starts as from a shell.
-    sigset_t none, all;
-    ::sigemptyset(&none);
-    ::sigfillset(&all);
-    ::posix_spawnattr_setsigmask(&attributes, &none);
-    ::posix_spawnattr_setsigdefault(&attributes, &all);
-    ::posix_spawnattr_setpgroup(&attributes, 0);
-    ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
-
     const auto words = pointers(argv);
     const auto names = environment ? pointers(*environment) : std::vector<char*>{};
-    pid_t pid = -1;
-    const int error =
-        ::posix_spawnp(&pid, words[0], &files, &attributes, words.data(), environment ? names.data() : environ);
-    ::posix_spawn_file_actions_destroy(&files);
-    ::posix_spawnattr_destroy(&attributes);
-    if (error != 0) fail(argv[0], error);
+    const Descriptor nothing(::open("/dev/null", O_RDONLY | O_CLOEXEC));
+    Start start{.words = const_cast<char**>(words.data()),
+                .environment = environment ? const_cast<char**>(names.data()) : environ,
+                .descriptors = descriptors,
+                .nothing = nothing.fd,
+                .keeper = keeper(),
+                .mask = {}};
+    // posix_spawn would do most of this, but it cannot tell the keeper.
+    sigset_t all, before;
+    ::sigfillset(&all);
+    ::pthread_sigmask(SIG_SETMASK, &all, &before);
+    const pid_t pid = startChild(start);
+    const int failed = pid < 0 ? errno : start.error;
+    ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+    if (pid > 0 && failed)
+    {
+        forgetProcess(pid);
+        while (::waitpid(pid, nullptr, 0) < 0 && errno == EINTR)
+        {
+        }
+    }
+    if (failed) fail(argv[0], failed);
     return pid;
+}
+
+void forgetProcess(pid_t pid)
+{
+    tellKeeper(keeper(), '-', pid);
 }
 
 std::string signalText(int number)

@@ -12,6 +12,7 @@
 #include "common/cli.h"
 #include "common/image.h"
 #include "common/scene_file.h"
+#include "common/tree_growth.h"
 #include "lessons/registry.h"
 #include "viz/choose_source.h"
 #include "viz/display.h"
@@ -157,6 +158,8 @@ Session chooseSession(ViewerOptions options, std::string& problem)
     if (options.tracer.empty())
     {
         checkModels(*lesson, session.scene, options.force);
+        if (const auto warning = growthWarning(session.scene, lesson->models); !warning.empty())
+            std::cerr << warning << '\n';
         session.source = lessonSource(*lesson, options.precision());
         session.render.progress = progressBar(fmt::format("lesson {:02}", lesson->number));
     }
@@ -207,6 +210,7 @@ ScriptHost scriptHost(Controller& controller, LateWindow& window)
     host.exportTo = [&](const std::string& path) { exportAndTell(path, controller); };
     host.shot = [&](const std::string& file) {
         controller.wait(); // what keys and clicks have begun
+        if (interrupted()) throw Stopped();
         writeImage(window().picture(), file);
     };
     host.key = [&](const std::string& key) { window().press(key); };
@@ -258,13 +262,17 @@ int view(const ViewerOptions& options, char** argv)
                         "and --script need none\n");
         return exitNoDisplay;
     }
-    watchInterrupt();
+    // A recording is worth a longer wait: it is written when the window has closed.
+    constexpr std::chrono::milliseconds tillRecorded{2000};
+    watchInterrupt(options.record.empty() ? AfterInterrupt() : AfterInterrupt{.patience = tillRecorded});
     session.render.stop = &interrupted();
     Controller controller(std::move(session));
     if (options.isHeadless()) controller.wait();
-    if (interrupted()) return exitInterrupted;
+    if (interrupted()) return sayInterrupted();
     if (!problem.empty()) controller.say(problem);
-    if (options.isHeadless() && controller.tree().nodes.empty() && !controller.message().empty())
+    const auto& source = controller.source();
+    const bool noPicture = source.render && !source.isSlow && controller.picture().width == 0; // too many rays
+    if (options.isHeadless() && (noPicture || controller.tree().nodes.empty()) && !controller.message().empty())
         throw std::runtime_error(controller.message());
     if (options.look == "light") controller.toggleLook();
 
@@ -275,6 +283,7 @@ int view(const ViewerOptions& options, char** argv)
     if (!options.screenshot.empty())
     {
         controller.wait();
+        if (interrupted()) return sayInterrupted();
         writeImage(window().picture(), options.screenshot);
         std::cerr << fmt::format("{}: {}x{} pixels\n", options.screenshot, width, height);
     }
@@ -282,7 +291,7 @@ int view(const ViewerOptions& options, char** argv)
     if (!options.exportTo.empty()) exportAndTell(options.exportTo, controller);
     if (!options.isHeadless()) window().run(options.record);
     if (!options.state.empty()) writeTextFile(options.state, stateJson(controller));
-    return exitDone;
+    return interrupted() ? sayInterrupted("interrupted") : int(exitDone);
 }
 
 } // namespace

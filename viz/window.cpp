@@ -107,6 +107,10 @@ void Window::resize(int newWidth, int newHeight)
 void Window::run(const std::string& record)
 {
     const std::string part = record + ".part";
+    const UndoAtInterrupt undo([&part] {
+        std::error_code ignored;
+        std::filesystem::remove(part, ignored);
+    });
     if (!record.empty()) writeTextFile(part, ""); // or says now why it cannot be written
     auto recorder = vtkSmartPointer<vtkInteractorEventRecorder>::New();
     interactor->Initialize();

@@ -14,7 +14,7 @@ import tempfile
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "tests"), str(ROOT / "tests/course"), str(ROOT / "slides-notes/site")]
+sys.path[:0] = [str(ROOT / "tests"), str(ROOT / "tests/course"), str(ROOT / "slides-notes/site"), str(ROOT / "common")]
 import browser  # noqa: E402
 import npm_packages  # noqa: E402
 import site_files  # noqa: E402
@@ -109,6 +109,7 @@ def check_mistakes(programs, cache, folder):
     """Mistakes in texts are told in one sentence, and a folder that is something else is left alone."""
     import course
     import directives
+    from children import Children
     from formulas import Formulas
     other = folder / "mine"
     other.mkdir()
@@ -117,7 +118,7 @@ def check_mistakes(programs, cache, folder):
     expect(done.returncode == 2 and "is not a site" in done.stderr and (other / "thesis.txt").exists(), "a folder that is something else stays")
     for what, words in ((lambda: directives.widget("Fancy <b>", "x.md", None), "x.md"), (lambda: directives.slider("a.png | b", "x.md", None), "LEFT RIGHT"),
                         (lambda: directives.tree("six", "x.md", None), "tree: N"), (lambda: directives.render("a.gif = lesson 1", "x.md", None), "NAME.png"),
-                        (lambda: bad_formula(Formulas()), r"\nonsense")):
+                        (lambda: bad_formula(Formulas(Children())), r"\nonsense")):
         try:
             what()
             expect(False, f"a mistake is not told: {words}")

@@ -287,14 +287,17 @@ int run(const Options& options)
     setting.setting.limits.wallSeconds = 2.4 * options.cpuSeconds;
     setting.setting.grader = graderHash();
 
-    watchInterrupt();
-    const auto done = gradeClass(submissions, setting, interrupted(), show);
-    if (done.interrupted)
-    {
-        std::cerr << fmt::format("grade: interrupted after {} of {}; the same command with --resume goes on\n",
-                                 done.results.size(), done.of);
-        return exitInterrupted;
-    }
+    std::atomic<std::size_t> finished = 0;
+    const auto interruption = [&finished, all = countOf(submissions, setting.shard)] {
+        return fmt::format("grade: interrupted after {} of {}; the same command with --resume goes on", finished.load(),
+                           all);
+    };
+    watchInterrupt({.words = interruption});
+    const auto done = gradeClass(submissions, setting, interrupted(), [&](const ClassProgress& progress) {
+        finished = progress.done;
+        show(progress);
+    });
+    if (done.interrupted) return sayInterrupted(interruption());
     writeClass(options.out, done.results);
     std::cerr << fmt::format("grade: {} graded, {} kept; {}/gradebook.csv and class.html\n", done.graded, done.kept,
                              options.out);

@@ -18,10 +18,11 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 import skips
 from programs import BIN, ROOT, ProgramTest, wait_until_it_watches
 
-sys.path.insert(0, str(ROOT / "tests/perf"))
+sys.path[:0] = [str(ROOT / "tests/perf"), str(ROOT / "common")]
 import bench_page
 import bench_report
 import bench_run
+from children import Children
 
 BENCH = (sys.executable, ROOT / "tests/perf/bench.py")
 PICTURE = ("--no-peers", "--no-parts", "--no-growth", "--no-instructions")
@@ -85,7 +86,7 @@ class Bench(ProgramTest):
     def test_povray_makes_the_same_picture_of_the_same_rays(self):
         if not shutil.which("povray"):
             self.skipTest("nothing bears witness to the export, as povray is not installed")
-        runner = bench_run.Runner(BIN, self.here)
+        runner = bench_run.Runner(BIN, self.here, Children())
         for scene in ("02_mirrors/scenes/pure_specular.toml", "06_fresnel/scenes/half_and_glass.toml"):
             file = ROOT / "lessons" / scene
             ours = self.measured(file, "--size", "160x120", "--count", "--out", "ours.exr")
