@@ -146,7 +146,7 @@ RayTree largeTree(int count)
 void measure(Session session, const std::string& title)
 {
     Controller controller(std::move(session));
-    Window window(controller, 1600, 900, true);
+    Window window(controller, {.width = 1600, .height = 900}, true);
     window.picture();
     std::cout << title << '\n';
     const auto pixel = controller.pixel().value_or(std::array{0, 0});
