@@ -1,7 +1,9 @@
 #include "common/spawn.h"
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
+#include <sstream>
 #include <stdexcept>
 #include <system_error>
 
@@ -24,6 +26,20 @@ namespace
     throw std::runtime_error(fmt::format("{} cannot be started: {}", program, std::generic_category().message(error)));
 }
 
+constexpr int leastDescriptor = 16;
+
+/// The files that a program's name stands for: it is searched in PATH if it names no folder.
+std::vector<std::string> placesOf(const std::string& program)
+{
+    if (program.find('/') != std::string::npos) return {program};
+    const char* path = std::getenv("PATH");
+    std::istringstream folders(path ? path : "/bin:/usr/bin");
+    std::vector<std::string> places;
+    for (std::string folder; std::getline(folders, folder, ':');)
+        places.push_back(folder.empty() ? program : folder + "/" + program);
+    return places;
+}
+
 std::vector<char*> pointers(const std::vector<std::string>& words)
 {
     std::vector<char*> result;
@@ -39,9 +55,8 @@ Pipe::Pipe(const std::string& program)
     int ends[2];
     if (::pipe2(ends, O_CLOEXEC) != 0) fail(program, errno);
     const Descriptor first(ends[0]), second(ends[1]);
-    constexpr int least = 16;
-    read.fd = ::fcntl(first.fd, F_DUPFD_CLOEXEC, least);
-    write.fd = ::fcntl(second.fd, F_DUPFD_CLOEXEC, least);
+    read.fd = ::fcntl(first.fd, F_DUPFD_CLOEXEC, leastDescriptor);
+    write.fd = ::fcntl(second.fd, F_DUPFD_CLOEXEC, leastDescriptor);
     if (read.fd < 0 || write.fd < 0) fail(program, errno);
 }
 
@@ -56,6 +71,7 @@ namespace
 /// What the child needs is made before it is: it may call nothing but the system.
 struct Start
 {
+    char** files; ///< what the program may be, one after the other
     char** words;
     char** environment;
     std::span<const int> descriptors;
@@ -86,9 +102,18 @@ struct Start
     }
     ::close_range(unsigned(count), ~0U, 0);
     ::pthread_sigmask(SIG_SETMASK, &start.mask, nullptr);
-    if (!start.error) ::execvpe(start.words[0], start.words, start.environment);
-    if (!start.error) start.error = errno;
-    ::_exit(127);
+    if (!*start.files) start.error = ENOENT; // PATH is empty
+    if (start.error) ::_exit(1);
+    // Not execvpe, which gives to the shell what is no program.
+    int error = 0;
+    for (char** file = start.files; *file; ++file)
+    {
+        ::execve(*file, start.words, start.environment);
+        if (error != EACCES) error = errno; // more to the point than that another one is not there
+        if (errno != EACCES && errno != ENOENT && errno != ENOTDIR) break;
+    }
+    start.error = error;
+    ::_exit(1);
 }
 
 /// By itself: what a function has in registers may be lost after vfork.
@@ -104,10 +129,14 @@ struct Start
 pid_t startProcess(const std::vector<std::string>& argv, std::span<const int> descriptors,
                    const std::vector<std::string>* environment)
 {
-    const auto words = pointers(argv);
+    const auto places = placesOf(argv[0]);
+    const auto files = pointers(places), words = pointers(argv);
     const auto names = environment ? pointers(*environment) : std::vector<char*>{};
-    const Descriptor nothing(::open("/dev/null", O_RDONLY | O_CLOEXEC));
-    Start start{.words = const_cast<char**>(words.data()),
+    const Descriptor opened(::open("/dev/null", O_RDONLY | O_CLOEXEC));
+    const Descriptor nothing(::fcntl(opened.fd, F_DUPFD_CLOEXEC, leastDescriptor));
+    if (nothing.fd < 0) fail(argv[0], errno);
+    Start start{.files = const_cast<char**>(files.data()),
+                .words = const_cast<char**>(words.data()),
                 .environment = environment ? const_cast<char**>(names.data()) : environ,
                 .descriptors = descriptors,
                 .nothing = nothing.fd,

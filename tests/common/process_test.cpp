@@ -68,6 +68,8 @@ bool isGone(const std::string& line)
 class RunProcess : public testing::Test
 {
 protected:
+    static void SetUpTestSuite() { shell("true"); } // starts the keeper, who stays
+
     int before = openDescriptors();
 
     void TearDown() override
