@@ -104,7 +104,7 @@ std::string lackOf(Display* display)
     context = glXCreateContext(display, visual, nullptr, True);
     XSync(display, False);
     const auto version = versionOf(display, window, context);
-    if (version.empty()) return "has no OpenGL that works";
+    if (version.empty()) return "has no OpenGL that works (GLX makes no context)";
     return fmt::format("has OpenGL {}{}, and 3.2 is needed", version,
                        glXIsDirect(display, context) ? "" : ", indirect");
 }
@@ -177,7 +177,10 @@ std::vector<Area> monitors()
 /// What the window manager will put around a window: nothing if there is none.
 Frame frameOf(Display* display, Window root)
 {
-    if (numbersOf(display, root, "_NET_SUPPORTING_WM_CHECK", XA_WINDOW).empty()) return {};
+    // A window of the manager's names itself: what it said of the root window stays there when it ends.
+    const char* check = "_NET_SUPPORTING_WM_CHECK";
+    const auto manager = numbersOf(display, root, check, XA_WINDOW);
+    if (manager.empty() || numbersOf(display, Window(manager[0]), check, XA_WINDOW) != manager) return {};
     const auto known = numbersOf(display, root, "_NET_SUPPORTED", XA_ATOM);
     const Atom ask = XInternAtom(display, "_NET_REQUEST_FRAME_EXTENTS", False);
     if (std::find(known.begin(), known.end(), long(ask)) == known.end()) return guessedFrame;

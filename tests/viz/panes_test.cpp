@@ -96,20 +96,18 @@ TEST(Screen, WindowsLieOnTheMonitorOfThePointerAndBesidePanels)
     expect(areaFor({0, 0, 800, 600}, {{0, 0, 1600, 1200}}, 0, 0, {}), {0, 0, 800, 600});
 }
 
-TEST(Screen, NoPartOfAWindowIsBesideIt)
+RC_GTEST_PROP(Screen, NoPartOfAWindowIsBesideIt, ())
 {
-    rc::prop("window and frame lie within the area", [] {
-        const auto side = [](int least, int most) { return *rc::gen::inRange(least, most); };
-        const Area area{side(-2000, 2000), side(-2000, 2000), side(100, 5000), side(100, 5000)};
-        const Frame frame{side(0, 20), side(0, 20), side(0, 40), side(0, 20)};
-        const int width = side(1, 9000), height = side(1, 9000);
-        const auto place = placeWindow(width, height, area, frame);
-        RC_ASSERT(place.x >= area.x && place.y >= area.y);
-        RC_ASSERT(place.x + frame.left + place.width + frame.right <= area.x + area.width);
-        RC_ASSERT(place.y + frame.top + place.height + frame.bottom <= area.y + area.height);
-        RC_ASSERT(place.width == std::min(width, area.width - frame.left - frame.right));
-        RC_ASSERT(place.height == std::min(height, area.height - frame.top - frame.bottom));
-    });
+    const auto side = [](int least, int most) { return *rc::gen::inRange(least, most); };
+    const Area area{side(-2000, 2000), side(-2000, 2000), side(100, 5000), side(100, 5000)};
+    const Frame frame{side(0, 20), side(0, 20), side(0, 40), side(0, 20)};
+    const int width = side(1, 9000), height = side(1, 9000);
+    const auto place = placeWindow(width, height, area, frame);
+    RC_ASSERT(place.x >= area.x && place.y >= area.y);
+    RC_ASSERT(place.x + frame.left + place.width + frame.right <= area.x + area.width);
+    RC_ASSERT(place.y + frame.top + place.height + frame.bottom <= area.y + area.height);
+    RC_ASSERT(place.width == std::min(width, area.width - frame.left - frame.right));
+    RC_ASSERT(place.height == std::min(height, area.height - frame.top - frame.bottom));
 }
 
 TEST(Screen, TheLargestWishForAScaleCounts)
