@@ -2,7 +2,8 @@
 """The tracer has the same bits elsewhere: its headers, compiled for another machine, and the programs of this one print the same
 hashes of all shipped scenes. Skipped (77) without the compiler or what runs its programs.
 
-usage: check_bits.py native|windows|arm64|wasm BITS_NATIVE FOLDER FLAGS   FOLDER keeps what is built; FLAGS are the product's"""
+usage: check_bits.py native|windows|arm64|wasm BITS_NATIVE FOLDER FLAGS [LIBRARY ...]
+FOLDER keeps what is built, FLAGS are the product's, LIBRARYs have the tracer in them."""
 import json
 import os
 import pathlib
@@ -18,6 +19,8 @@ HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 WIDGETS = ROOT / "slides-notes/site/widgets"
 STACK = 8 << 20 # bytes, as on Linux
+# Functions of the C library for double and float that are not exact; long double's bits are not promised.
+OPEN = r"(a?(sin|cos|tan)h?|atan2|sincos|exp|exp2|exp10|expm1|log|log2|log10|log1p|pow|hypot|cbrt|erfc?|[lt]gamma|fma)f?"
 FUNCTIONS = ["pow", "atan2", "acos", "hypot", "sin", "tan", "u of an angular sky", "v of an angular sky"] # as in compared.h
 
 
@@ -174,6 +177,18 @@ def compare_elsewhere(name, native, folder, flags):
     print(f"{name}: {len(ours)} lines of hashes are those of this machine")
 
 
+def check_calls(libraries):
+    """The tracer asks the C library for no function that IEEE 754 leaves open. This names it on any machine."""
+    reader = find("nm")
+    if not reader:
+        fail("nm is not installed: what the tracer calls is not known; Debian's package: binutils")
+    for library in libraries:
+        for line in lines(run([reader, "-A", "--undefined-only", library])):
+            place, called = line.split()[0], line.split()[-1]
+            if re.search(r"(entry|scene)\.cpp\.o:", place) and re.fullmatch(OPEN, called):
+                fail(f"{place} calls {called} of the C library, whose bits depend on the machine: expected portable::{called.removesuffix('f')} (common/portable.h)")
+
+
 def compare_stored(native):
     """With what is stored: so other compilers, libraries and processors are held to one another."""
     ours, stored = lines(run([native])), (HERE / "hashes.txt").read_text().splitlines()
@@ -185,11 +200,12 @@ def compare_stored(native):
 
 
 def main():
-    if len(sys.argv) != 5 or sys.argv[1] not in ("native", *MACHINES):
+    if len(sys.argv) < 5 or sys.argv[1] not in ("native", *MACHINES):
         print(__doc__, file=sys.stderr)
         return 2
-    name, native, folder, flags = sys.argv[1:]
+    name, native, folder, flags, *libraries = sys.argv[1:]
     if name == "native":
+        check_calls(libraries)
         compare_stored(native)
     else:
         compare_elsewhere(name, native, pathlib.Path(folder), flags.split())

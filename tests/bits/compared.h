@@ -1,4 +1,5 @@
-// What is compared between machines: of each shipped scene, lesson and type the picture and the chosen pixel's ray tree.
+// What is compared between machines: of each shipped scene, lesson and type the chosen pixel's ray tree, and the picture by the
+// first and the last lesson that traces it (an emulated processor is slow).
 // The core's headers and the standard library only, so that it builds for all of them.
 #pragma once
 
@@ -23,6 +24,8 @@ struct Shipped
     std::array<int, 2> pixel{};
     SceneDescription scene;
 
+    bool isPicturedBy(int lesson) const { return lesson == lessons.front() || lesson == lessons.back(); }
+
     /// The same scene with a small picture.
     SceneDescription small() const
     {
@@ -39,7 +42,17 @@ void fields(Wire& wire, grade::Of<Wire, Shipped>& shipped)
     grade::all(wire, shipped.file, shipped.lessons, shipped.pixel, shipped.scene);
 }
 
-/// Picture and tree as bytes: every number of them.
+/// The tree as bytes, without the lines of the source: these are no results, and a comment above them moves them.
+inline std::string bytesOf(RayTree tree)
+{
+    tree.scene = tree.source = "";
+    for (auto& node : tree.nodes) node.line = node.returnLine = 0;
+    for (auto& shadow : tree.shadows) shadow.line = 0;
+    for (auto& capped : tree.capped) capped.line = 0;
+    return grade::encode(tree);
+}
+
+/// Picture (empty: not compared) and tree as bytes: every number of them.
 struct Traced
 {
     std::string picture, tree;
@@ -87,27 +100,31 @@ inline void writeBytes(const std::string& path, const std::string& bytes)
 }
 
 /// Without words: a line of hashes for each scene, lesson and type. With "FILE LESSON TYPE OUT": the bytes behind one line,
-/// into OUT.picture and OUT.tree, or of "functions 0 TYPE OUT" into OUT.values. `trace` takes a Shipped, the lesson's number and float() or double().
+/// into OUT.picture and OUT.tree, or of "functions 0 TYPE OUT" into OUT.values. `trace` takes a Shipped, the lesson's number and
+/// float() or double().
 template <class Trace>
 int run(const std::vector<Shipped>& scenes, const std::vector<std::string>& words, const Trace& trace)
 {
     bool found = words.empty();
+    const auto typeName = [](auto zero) { return sizeof zero == sizeof(float) ? "float" : "double"; };
     const auto one = [&](const Shipped& shipped, int lesson, auto zero) {
-        const std::string type = sizeof zero == sizeof(float) ? "float" : "double";
+        const std::string type = typeName(zero);
         if (!words.empty() && (words[0] != shipped.file || words[1] != std::to_string(lesson) || words[2] != type))
             return;
         const Traced traced = trace(shipped, lesson, zero);
         found = true;
-        if (words.empty())
-            std::printf("%s lesson %d %s: picture %016" PRIx64 " tree %016" PRIx64 "\n", shipped.file.c_str(), lesson,
-                        type.c_str(), hash(traced.picture), hash(traced.tree));
-        else
+        if (!words.empty())
         {
             writeBytes(words[3] + ".picture", traced.picture);
             writeBytes(words[3] + ".tree", traced.tree);
+            return;
         }
+        std::printf("%s lesson %d %s:", shipped.file.c_str(), lesson, type.c_str());
+        if (!traced.picture.empty()) std::printf(" picture %016" PRIx64, hash(traced.picture));
+        std::printf(" tree %016" PRIx64 "\n", hash(traced.tree));
     };
-    const auto functions = [&](auto zero, const std::string& type) {
+    const auto functions = [&](auto zero) {
+        const std::string type = typeName(zero);
         if (!words.empty() && (words[0] != "functions" || words[2] != type)) return;
         found = true;
         const std::string values = functionValues<decltype(zero)>();
@@ -116,8 +133,8 @@ int run(const std::vector<Shipped>& scenes, const std::vector<std::string>& word
         else
             writeBytes(words[3] + ".values", values);
     };
-    functions(float(), "float");
-    functions(double(), "double");
+    functions(float());
+    functions(double());
     for (const auto& shipped : scenes)
         for (const int lesson : shipped.lessons)
         {

@@ -24,7 +24,7 @@ using namespace rt;
 template <class Tracer, std::floating_point Real>
 bits::Traced traceWith(const bits::Shipped& shipped, int lesson)
 {
-    const Scene<Real> small(shipped.small()), scene(shipped.scene);
+    const Scene<Real> scene(shipped.scene);
     RayTree tree;
     tree.lesson = lesson;
     tree.real = sizeof(Real) == sizeof(float) ? "float" : "double";
@@ -32,7 +32,11 @@ bits::Traced traceWith(const bits::Shipped& shipped, int lesson)
     tree.maxDepth = shipped.scene.trace.maxDepth;
     Tracer tracer{scene, TreeRecorder<Real>(tree, scene)};
     tracer.trace(sampleRay(scene, shipped.pixel[0], shipped.pixel[1], 0));
-    return {grade::encode(renderAlone<Tracer>(small, bits::pictureWidth, bits::pictureHeight)), grade::encode(tree)};
+    bits::Traced traced{.picture = "", .tree = bits::bytesOf(tree)};
+    if (!shipped.isPicturedBy(lesson)) return traced;
+    const Scene<Real> small(shipped.small());
+    traced.picture = grade::encode(renderAlone<Tracer>(small, bits::pictureWidth, bits::pictureHeight));
+    return traced;
 }
 
 template <std::floating_point Real>

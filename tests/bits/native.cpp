@@ -40,9 +40,9 @@ std::vector<bits::Shipped> shippedScenes()
 bits::Traced trace(const bits::Shipped& shipped, int number, Precision precision)
 {
     const auto* lesson = findLesson(number);
-    RayTree tree = lesson->inspect(shipped.scene, precision, shipped.pixel);
-    tree.scene = "";
-    return {grade::encode(lesson->render(shipped.small(), precision, {})), grade::encode(tree)};
+    bits::Traced traced{.picture = "", .tree = bits::bytesOf(lesson->inspect(shipped.scene, precision, shipped.pixel))};
+    if (shipped.isPicturedBy(number)) traced.picture = grade::encode(lesson->render(shipped.small(), precision, {}));
+    return traced;
 }
 
 } // namespace
