@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "common/picture_module.h"
 #include "common/ray_limit.h"
 #include "common/scene_file.h"
 
@@ -170,6 +171,11 @@ int runMain(CLI::App& app, int argc, char** argv, const std::function<int()>& wo
     catch (const CLI::ParseError& error)
     {
         std::cerr << app.get_name() << ": " << error.what() << " (see --help)\n";
+    }
+    catch (const NeedsOpenImageIO& error)
+    {
+        std::cerr << error.what() << '\n';
+        return exitNeedsOpenImageIO;
     }
     catch (const std::exception& error)
     {

@@ -1,5 +1,6 @@
 #include "common/image.h"
 
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -8,12 +9,11 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
-#include <OpenImageIO/color.h>
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
+#include <png.h>
 #include <unistd.h>
 
 #include "common/interrupt.h"
+#include "common/picture_module.h"
 
 namespace rt
 {
@@ -59,32 +59,27 @@ void replaceFile(const std::string& path, const std::function<void(const std::st
     }
 }
 
-/// In the format that the ending of `path` names; into `memory`, if it is given, and not to a file.
-void writePixels(const Image& image, const std::string& path, OIIO::Filesystem::IOProxy* memory = nullptr)
+void writeBytes(const std::string& path, const std::string& bytes)
 {
-    auto out = OIIO::ImageOutput::create(path);
-    if (!out) throw std::runtime_error(OIIO::geterror());
-    const bool linear = isLinear(path);
-    OIIO::ImageSpec spec(image.width, image.height, 3, linear ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8);
-    spec.attribute("oiio:ColorSpace", linear ? "Linear" : "sRGB");
-    spec.attribute("DateTime", "1970:01:01 00:00:00"); // else EXR takes the clock's, and equal pictures differ
-    if ((memory && !out->set_ioproxy(memory)) || !out->open(path, spec)) throw std::runtime_error(out->geterror());
-    bool good = true;
-    if (linear)
-    {
-        std::vector<float> values;
-        values.reserve(image.pixels.size() * 3);
-        for (const auto& p : image.pixels) values.insert(values.end(), {float(p.x), float(p.y), float(p.z)});
-        good = out->write_image(OIIO::TypeDesc::FLOAT, values.data());
-    }
-    else
-    {
-        std::vector<unsigned char> values;
-        values.reserve(image.pixels.size() * 3);
-        for (const auto& p : image.pixels) values.insert(values.end(), {toSrgb8(p.x), toSrgb8(p.y), toSrgb8(p.z)});
-        good = out->write_image(OIIO::TypeDesc::UINT8, values.data());
-    }
-    if (!good || !out->close()) throw std::runtime_error(out->geterror());
+    std::ofstream out(path, std::ios::binary);
+    out.write(bytes.data(), std::streamsize(bytes.size()));
+    out.close();
+    if (!out) throw std::runtime_error("the disk may be full");
+}
+
+/// Red, green, blue: a byte each, row by row.
+std::string srgbBytes(const Image& image)
+{
+    std::string bytes;
+    bytes.reserve(image.pixels.size() * 3);
+    for (const auto& p : image.pixels)
+        for (int c = 0; c < 3; ++c) bytes += char(toSrgb8(p[c]));
+    return bytes;
+}
+
+std::string ppmBytes(const Image& image)
+{
+    return fmt::format("P6\n{} {}\n255\n", image.width, image.height) + srgbBytes(image);
 }
 
 } // namespace
@@ -93,7 +88,9 @@ unsigned char toSrgb8(double linear)
 {
     if (!(linear > 0)) return 0;
     if (linear >= 1) return 255;
-    return static_cast<unsigned char>(OIIO::linear_to_sRGB(float(linear)) * 255.0f + 0.5f);
+    const auto x = float(linear);
+    const float srgb = x <= 0.0031308f ? 12.92f * x : 1.055f * powf(x, 1.f / 2.4f) - 0.055f;
+    return static_cast<unsigned char>(srgb * 255.0f + 0.5f);
 }
 
 void checkFolder(const std::string& path)
@@ -112,55 +109,46 @@ void checkWritable(const std::string& path)
     if (known != ".png" && known != ".ppm" && !isLinear(path))
         throw std::runtime_error(
             fmt::format("{}: pictures end in .png, .ppm (8-bit sRGB), .exr or .hdr (linear), not \"{}\"", path, known));
+    if (isLinear(path)) pictureModule(path);
     checkFolder(path);
 }
 
 void writeImage(const Image& image, const std::string& path)
 {
     checkWritable(path);
-    replaceFile(path, [&](const std::string& temporary) { writePixels(image, temporary); });
+    replaceFile(path, [&](const std::string& temporary) {
+        if (isLinear(path))
+            pictureModule(path).writeLinear(image, temporary);
+        else
+            writeBytes(temporary, ending(path) == ".png" ? pngBytes(image) : ppmBytes(image));
+    });
 }
 
 std::string pngBytes(const Image& image)
 {
-    OIIO::Filesystem::IOVecOutput memory;
-    writePixels(image, "memory.png", &memory);
-    const auto& bytes = memory.buffer();
-    return {bytes.begin(), bytes.end()};
+    png_image png{};
+    png.version = PNG_IMAGE_VERSION;
+    png.width = png_uint_32(image.width);
+    png.height = png_uint_32(image.height);
+    png.format = PNG_FORMAT_RGB;
+    const std::string pixels = srgbBytes(image);
+    png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
+    std::string bytes(size, '\0');
+    if (!png_image_write_to_memory(&png, bytes.data(), &size, 0, pixels.data(), 0, nullptr))
+        throw std::runtime_error(png.message);
+    bytes.resize(size);
+    return bytes;
 }
 
 Image readImage(const std::string& path)
 {
-    auto in = OIIO::ImageInput::open(path);
-    if (!in) throw std::runtime_error(fmt::format("{}: cannot be read as a picture: {}", path, OIIO::geterror()));
-    const auto& spec = in->spec();
-    const auto channels = std::size_t(spec.nchannels);
-    if (spec.width < 1 || spec.height < 1 ||
-        std::size_t(spec.width) * std::size_t(spec.height) > (std::size_t(1) << 28))
-        throw std::runtime_error(fmt::format("{}: {}x{} pixels, at most 2^28 are read", path, spec.width, spec.height));
-    std::vector<float> values(std::size_t(spec.width) * std::size_t(spec.height) * channels);
-    if (!in->read_image(0, 0, 0, -1, OIIO::TypeDesc::FLOAT, values.data()))
-        throw std::runtime_error(fmt::format("{}: cannot be read: {}", path, in->geterror()));
-    const bool srgb = !spec.format.is_floating_point();
-    Image image(spec.width, spec.height);
-    for (std::size_t i = 0; i < image.pixels.size(); ++i)
-        for (std::size_t c = 0; c < 3; ++c)
-        {
-            const float value = values[i * channels + (channels < 3 ? 0 : c)];
-            image.pixels[i][int(c)] = double(srgb ? OIIO::sRGB_to_linear(value) : value);
-        }
-    return image;
+    return pictureModule(path).read(path);
 }
 
 void writeTextFile(const std::string& path, const std::string& text)
 {
     checkFolder(path);
-    replaceFile(path, [&](const std::string& temporary) {
-        std::ofstream out(temporary, std::ios::binary);
-        out.write(text.data(), std::streamsize(text.size()));
-        out.close();
-        if (!out) throw std::runtime_error("the disk may be full");
-    });
+    replaceFile(path, [&](const std::string& temporary) { writeBytes(temporary, text); });
 }
 
 std::string readTextFile(const std::string& path)

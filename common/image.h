@@ -1,4 +1,4 @@
-// Pictures: linear RGB in memory, files through OpenImageIO, and our own comparison.
+// Pictures: linear RGB in memory, files (picture_module.h), and our own comparison.
 #pragma once
 
 #include <string>
@@ -26,17 +26,19 @@ struct Image
 inline const Vec3<double> magenta{1, 0, 1};
 
 /// Throws std::runtime_error with one sentence if writeImage could not write to this path: its ending is not one of
-/// .png, .ppm, .exr, .hdr, or its folder does not exist or is not writable. Call it before a long render.
+/// .png, .ppm, .exr, .hdr, or its folder does not exist or is not writable; NeedsOpenImageIO, where that is so. Call it before
+/// a long render.
 void checkWritable(const std::string& path);
 
 /// .png and .ppm: 8-bit sRGB, clamped to [0, 1]. .exr (float) and .hdr: linear, unclamped. The file is written whole or not
-/// at all. Throws std::runtime_error with one sentence.
+/// at all. Throws as checkWritable, and std::runtime_error with one sentence.
 void writeImage(const Image& image, const std::string& path);
 
 /// What writeImage puts into a .png, as bytes in memory. Throws std::runtime_error with one sentence.
 std::string pngBytes(const Image& image);
 
-/// Reads a picture as linear RGB (files of whole numbers, as .png, are taken as sRGB). Throws std::runtime_error with one sentence.
+/// Reads a picture as linear RGB (files of whole numbers, as .png, are taken as sRGB). Throws
+/// std::runtime_error with one sentence, or NeedsOpenImageIO.
 Image readImage(const std::string& path);
 
 /// The 8-bit sRGB value of a linear channel, clamped to [0, 1], rounded to nearest; NaN gives 0.

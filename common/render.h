@@ -4,10 +4,7 @@
 #include <atomic>
 #include <functional>
 
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
+#include "common/parallel.h"
 #include "common/pixel.h"
 
 namespace rt
@@ -36,9 +33,7 @@ Image render(const Scene<Real>& scene, int width, int height, const RenderOption
     std::atomic<bool> ended = false; // by an exception
     const auto isStopped = [&] { return options.stop && *options.stop; };
     const auto shareOf = [](int every) { return every > 0 ? 1.0 / (double(every) * every) : 0.0; };
-    const int threads = options.threads > 0 ? options.threads : tbb::this_task_arena::max_concurrency();
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, std::size_t(threads));
-    tbb::task_arena arena(threads);
+    Workers workers(options.threads);
     // Each pixel is traced in one pass only.
     for (Pass pass{.every = options.coarsest}; pass.every >= 1; pass = {pass.every / 2, pass.every})
     {
@@ -57,7 +52,7 @@ Image render(const Scene<Real>& scene, int width, int height, const RenderOption
             const double before = shareOf(pass.traced), now = shareOf(pass.every);
             if (options.progress) options.progress(before + (now - before) * (double(++done) / tiles));
         };
-        arena.execute([&] { tbb::parallel_for(0, tiles, one); });
+        workers.forEach(tiles, one);
         if (isStopped()) break;
         if (options.passed && pass.every > 1) options.passed(image, pass.every);
     }

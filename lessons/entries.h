@@ -1,10 +1,11 @@
 // The entry of each lesson; each is defined in the lesson's own entry.cpp.
 #pragma once
 
-#include "common/lesson_entry.h"
-
 namespace rt
 {
+
+struct LessonEntry;
+
 namespace lesson01
 {
 extern const LessonEntry entry;

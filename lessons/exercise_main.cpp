@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "common/lesson_entry.h"
+#include "lessons/program_main.h"
+
 namespace rt
 {
 

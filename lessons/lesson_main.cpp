@@ -1,12 +1,9 @@
 #include "lessons/lesson_main.h"
 
-#include <iostream>
-
 #include <fmt/format.h>
 
-#include "common/scene_file.h"
+#include "common/lesson_entry.h"
 #include "lessons/formulas.h"
-#include "lessons/registry.h"
 
 namespace rt
 {
@@ -15,24 +12,6 @@ int lessonMain(const LessonEntry& lesson, int argc, char** argv, const std::vect
 {
     return programMain(lesson, fmt::format("lesson{:02}", lesson.number), "Lesson", lectureFormulas(), argc, argv,
                        extra);
-}
-
-int renderMain(int argc, char** argv)
-{
-    CLI::App app("Renders a scene with the first lesson that models all that it requires.", "render");
-    LessonOptions options;
-    addLessonOptions(app, options);
-    footer(app, "render");
-    app.get_option("scene")->required()->description("scene file (TOML)");
-    return runMain(app, argc, argv, [&] {
-        const auto scene = loadScene(options);
-        const auto* lesson = smallestLesson(scene);
-        if (!lesson && !options.force) checkModels(*lessons().back(), scene, false);
-        if (!lesson) lesson = lessons().back();
-        std::cerr << fmt::format("lesson {:02} ({}) models all that {} requires\n", lesson->number, lesson->title,
-                                 scene.file);
-        return run(*lesson, scene, options, "render", lectureFormulas());
-    });
 }
 
 } // namespace rt

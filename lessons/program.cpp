@@ -7,6 +7,7 @@
 #include "common/explain.h"
 #include "common/scene_file.h"
 #include "common/tree_growth.h"
+#include "lessons/program_main.h"
 
 namespace rt
 {

@@ -1,5 +1,41 @@
+// `render`: the program of the smallest lesson that models all that a scene requires; says which one on standard error.
+#include <iostream>
+
+#include <fmt/format.h>
+
 #include "common/guarded_main.h"
-#include "lessons/lesson_main.h"
+#include "common/scene_file.h"
+#include "lessons/formulas.h"
+#include "lessons/program.h"
+#include "lessons/registry.h"
+
+namespace rt
+{
+
+namespace
+{
+
+int renderMain(int argc, char** argv)
+{
+    CLI::App app("Renders a scene with the first lesson that models all that it requires.", "render");
+    LessonOptions options;
+    addLessonOptions(app, options);
+    footer(app, "render");
+    app.get_option("scene")->required()->description("scene file (TOML)");
+    return runMain(app, argc, argv, [&] {
+        const auto scene = loadScene(options);
+        const auto* lesson = smallestLesson(scene);
+        if (!lesson && !options.force) checkModels(*lessons().back(), scene, false);
+        if (!lesson) lesson = lessons().back();
+        std::cerr << fmt::format("lesson {:02} ({}) models all that {} requires\n", lesson->number, lesson->title,
+                                 scene.file);
+        return run(*lesson, scene, options, "render", lectureFormulas());
+    });
+}
+
+} // namespace
+
+} // namespace rt
 
 int main(int argc, char** argv)
 {

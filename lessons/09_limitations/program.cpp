@@ -6,7 +6,7 @@
 #include "common/scene_file.h"
 #include "common/tree_growth.h"
 #include "lessons/entries.h"
-#include "lessons/registry.h"
+#include "lessons/facts.h"
 #include "pairs.h"
 
 namespace rt::lesson09

@@ -187,6 +187,9 @@ class Handout:
         presets = json.loads(source("CMakePresets.json"))
         for kind in ("configurePresets", "buildPresets", "testPresets"):
             presets[kind] = [preset for preset in presets[kind] if preset["name"] in ("base", "student")]
+        for preset in presets["configurePresets"]:
+            if preset["name"] == "student":  # a hand-out is for `learn`
+                preset["cacheVariables"] |= {"RAYTREE_GRADER": "ON", "RAYTREE_PICTURES": "ON"}
         self.add("CMakePresets.json", json.dumps(presets, indent=2) + "\n")
         self.add("raytree", self.template("raytree.in", LESSONS=self.numbers()), True)
         self.copy("common/front_door.sh", "common/help/learn.txt", "common/help/exercise*.txt")

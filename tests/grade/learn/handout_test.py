@@ -220,7 +220,7 @@ class Working(unittest.TestCase):
         result = pack(place / "handout", *(["--mistakes", str(mistakes)] if mistakes.is_dir() else []))
         self.assertEqual(result.returncode, 0, result.stderr)
         self.handout = place / "handout"
-        self.run_in("cmake", "--preset", "student")
+        self.run_in("cmake", "--preset", "student", "-DRAYTREE_TESTS=ON")
         self.run_in("cmake", "--build", "build/student", "--target", "exercise02", "exercise02_tests", "learn")
 
         text = self.cases(expect=0)
