@@ -2,6 +2,8 @@
 
 #include <charconv>
 #include <chrono>
+#include <cstdlib>
+#include <filesystem>
 #include <iostream>
 #include <mutex>
 
@@ -34,6 +36,19 @@ std::array<int, 2> pairOf(const std::string& text, char separator, const std::st
         throw CLI::ValidationError(option, fmt::format("expected {}, got \"{}\"", expected, text));
     return {wholeNumber(text.substr(0, middle), option, expected),
             wholeNumber(text.substr(middle + 1), option, expected)};
+}
+
+/// Becomes the front door that started us, if one did: it installs OpenImageIO, builds the module, and starts us again.
+void askFrontDoor(int argc, char** argv)
+{
+    const char* door = std::getenv("RAYTREE_DOOR");
+    if (!door) return;
+    std::error_code error;
+    std::string self = std::filesystem::read_symlink("/proc/self/exe", error).string();
+    std::vector<char*> words{const_cast<char*>(door), const_cast<char*>("pictures"), error ? argv[0] : self.data()};
+    words.insert(words.end(), argv + 1, argv + argc);
+    words.push_back(nullptr);
+    ::execv(door, words.data());
 }
 
 } // namespace
@@ -175,6 +190,7 @@ int runMain(CLI::App& app, int argc, char** argv, const std::function<int()>& wo
     catch (const NeedsOpenImageIO& error)
     {
         std::cerr << error.what() << '\n';
+        askFrontDoor(argc, argv);
         return exitNeedsOpenImageIO;
     }
     catch (const std::exception& error)

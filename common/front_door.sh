@@ -8,11 +8,12 @@
 #   command  what was asked for, in words, for whoever has to wait
 
 # What each part needs of Debian 12 and 13 and Ubuntu 24.04. What a word of the front door uses is installed, and no more.
-core_packages="g++ cmake ninja-build python3 libglm-dev libopenimageio-dev openimageio-tools libtbb-dev libtomlplusplus-dev
-libcli11-dev nlohmann-json3-dev libfmt-dev"
+core_packages="g++ cmake ninja-build libglm-dev libtbb-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libfmt-dev libpng-dev"
+# Reading pictures, and writing others than .png and .ppm.
+picture_packages="libopenimageio-dev"
 viewer_packages="libvtk9-dev fonts-dejavu-core xvfb xauth libgl1-mesa-dri"
 # The grader, and `learn`.
-grade_packages="bubblewrap util-linux pkg-config libseccomp-dev libarchive-dev libssl-dev libutfcpp-dev libpugixml-dev"
+grade_packages="python3 bubblewrap util-linux pkg-config libseccomp-dev libarchive-dev libssl-dev libutfcpp-dev libpugixml-dev"
 
 fail() {
     echo "raytree: $1" >&2
