@@ -3,6 +3,7 @@
 
 #include <numbers>
 
+#include "common/portable.h"
 #include "common/ray.h"
 #include "common/scene_description.h"
 
@@ -23,7 +24,7 @@ public:
         right = unit(cross(forward, Vec3<Real>(unit(Vec(description.up)))));
         above = cross(right, forward);
         const Real degree = std::numbers::pi_v<Real> / 180;
-        halfHeight = std::tan(Real(description.verticalFov) * degree / 2);
+        halfHeight = portable::tan(Real(description.verticalFov) * degree / 2);
     }
 
     /// The ray through the point (x, y) of the picture: x in [0, width] to the right, y in [0, height] down; the centre

@@ -2,7 +2,8 @@
 
 #include <charconv>
 #include <chrono>
-#include <csignal>
+#include <cstdlib>
+#include <filesystem>
 #include <iostream>
 #include <mutex>
 
@@ -10,6 +11,7 @@
 #include <unistd.h>
 
 #include "common/picture_module.h"
+#include "common/ray_limit.h"
 #include "common/scene_file.h"
 
 namespace rt
@@ -17,8 +19,6 @@ namespace rt
 
 namespace
 {
-
-std::atomic<bool> interruptSeen = false;
 
 int wholeNumber(const std::string& text, const std::string& option, const char* expected)
 {
@@ -36,6 +36,19 @@ std::array<int, 2> pairOf(const std::string& text, char separator, const std::st
         throw CLI::ValidationError(option, fmt::format("expected {}, got \"{}\"", expected, text));
     return {wholeNumber(text.substr(0, middle), option, expected),
             wholeNumber(text.substr(middle + 1), option, expected)};
+}
+
+/// Becomes the front door that started us, if one did: it installs OpenImageIO, builds the module, and starts us again.
+void askFrontDoor(int argc, char** argv)
+{
+    const char* door = std::getenv("RAYTREE_DOOR");
+    if (!door) return;
+    std::error_code error;
+    std::string self = std::filesystem::read_symlink("/proc/self/exe", error).string();
+    std::vector<char*> words{const_cast<char*>(door), const_cast<char*>("pictures"), error ? argv[0] : self.data()};
+    words.insert(words.end(), argv + 1, argv + argc);
+    words.push_back(nullptr);
+    ::execv(door, words.data());
 }
 
 } // namespace
@@ -59,7 +72,12 @@ void addTraceOptions(CLI::App& app, TraceOptions& options)
     app.add_option("--real", options.real, "scalar type")
         ->check(CLI::IsMember({"float", "double", "long-double"}))
         ->capture_default_str();
-    app.add_option("--depth", options.depth, "MAXDEPTH: rays of this depth are traced, deeper ones are not")
+    app.add_option(
+           "--depth", options.depth,
+           fmt::format(
+               "MAXDEPTH: rays of this depth are traced, deeper ones are not; glass doubles their number at each "
+               "depth, and a pixel that leads to more than {} rays ends the program",
+               rayLimitText))
         ->check(CLI::Range(0, deepestTrace))
         ->type_name("N");
     app.add_option("--fresnel", options.fresnel, "how glass splits light; default: the scene's")
@@ -143,10 +161,15 @@ Probe probe(const TraceOptions& options, const SceneDescription& scene)
 
 int runMain(CLI::App& app, int argc, char** argv, const std::function<int()>& work)
 {
+    endAtInterrupt();
     try
     {
         app.parse(argc, argv);
         return work();
+    }
+    catch (const Stopped&)
+    {
+        return sayInterrupted();
     }
     catch (const CLI::Success& help)
     {
@@ -167,6 +190,7 @@ int runMain(CLI::App& app, int argc, char** argv, const std::function<int()>& wo
     catch (const NeedsOpenImageIO& error)
     {
         std::cerr << error.what() << '\n';
+        askFrontDoor(argc, argv);
         return exitNeedsOpenImageIO;
     }
     catch (const std::exception& error)
@@ -174,18 +198,6 @@ int runMain(CLI::App& app, int argc, char** argv, const std::function<int()>& wo
         std::cerr << app.get_name() << ": " << error.what() << '\n';
     }
     return exitBadInput;
-}
-
-const std::atomic<bool>& interrupted()
-{
-    return interruptSeen;
-}
-
-void watchInterrupt()
-{
-    std::signal(SIGINT, [](int) { interruptSeen = true; });
-    std::signal(SIGTERM, [](int) { interruptSeen = true; });
-    std::signal(SIGHUP, [](int) { interruptSeen = true; });
 }
 
 std::function<void(double)> progressBar(const std::string& title)

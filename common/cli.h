@@ -40,7 +40,8 @@ Probe probe(const TraceOptions& options, const SceneDescription& scene);
 /// Numbers separated by commas, exactly `count` of them, all finite. Throws CLI::ValidationError naming the option.
 std::vector<double> numbers(const std::string& text, std::size_t count, const std::string& option);
 
-/// Runs a program's work. Every exception becomes one sentence on standard error and an exit code.
+/// Runs a program's work. Every exception becomes one sentence on standard error and an exit code, and signals end it
+/// (interrupt.h).
 int runMain(CLI::App& app, int argc, char** argv, const std::function<int()>& work);
 
 } // namespace rt

@@ -12,6 +12,7 @@
 #include <png.h>
 #include <unistd.h>
 
+#include "common/interrupt.h"
 #include "common/picture_module.h"
 
 namespace rt
@@ -40,15 +41,20 @@ void replaceFile(const std::string& path, const std::function<void(const std::st
     const fs::path target(path);
     const auto temporary =
         (target.parent_path() / fmt::format(".part-{}-{}", getpid(), target.filename().string())).string();
+    const auto remove = [&temporary] {
+        std::error_code ignored;
+        fs::remove(temporary, ignored);
+    };
+    const UndoAtInterrupt undo(remove);
     try
     {
         write(temporary);
+        noteWritten();
         fs::rename(temporary, target);
     }
     catch (const std::exception& error)
     {
-        std::error_code ignored;
-        fs::remove(temporary, ignored);
+        remove();
         throw std::runtime_error(fmt::format("{}: cannot be written: {}", path, error.what()));
     }
 }

@@ -33,8 +33,17 @@ using Probe = std::variant<std::array<int, 2>, GivenRay>;
 
 struct LessonEntry : LessonFacts
 {
+    using Stop = const std::atomic<bool>*;
+
     Image (*render)(const SceneDescription&, Precision, const RenderOptions&);
-    RayTree (*inspect)(const SceneDescription&, Precision, const Probe&);
+    RayTree (*traceTree)(const SceneDescription&, Precision, const Probe&, Stop);
+
+    /// Throws TooManyRays, and Stopped once `stop` is set.
+    RayTree inspect(const SceneDescription& description, Precision precision, const Probe& probe,
+                    Stop stop = nullptr) const
+    {
+        return traceTree(description, precision, probe, stop);
+    }
 };
 
 namespace detail
@@ -59,8 +68,9 @@ Ray<Real> probeRay(const Scene<Real>& scene, const Probe& probe)
 }
 
 template <class Tracer, std::floating_point Real>
-void traceInto(RayTree& tree, const Scene<Real>& scene, const Probe& probe)
+void traceInto(RayTree& tree, const Scene<Real>& scene, const Probe& probe, const std::atomic<bool>* stop)
 {
+    const TraceLimit limit(stop);
     Tracer tracer{scene, TreeRecorder<Real>(tree, scene)};
     try
     {
@@ -69,6 +79,10 @@ void traceInto(RayTree& tree, const Scene<Real>& scene, const Probe& probe)
     catch (const NotAttempted&)
     {
         // The tree as far as it got: an exercise is worth looking at before it is finished.
+    }
+    catch (const TooManyRays&)
+    {
+        throw TooManyRays(tree.pixel ? pixelText((*tree.pixel)[0], (*tree.pixel)[1]) : "the ray", tree.maxDepth);
     }
 }
 
@@ -98,13 +112,14 @@ Image renderLesson(const SceneDescription& description, Precision precision, con
 }
 
 template <class Lesson>
-RayTree inspectLesson(const SceneDescription& description, Precision precision, const Probe& probe)
+RayTree inspectLesson(const SceneDescription& description, Precision precision, const Probe& probe,
+                      const std::atomic<bool>* stop = nullptr)
 {
     return detail::withPrecision(precision, [&](auto zero) {
         using Real = decltype(zero);
         const Scene<Real> scene(description);
         RayTree tree = detail::emptyTree(Lesson::number, description, name(precision), probe);
-        detail::traceInto<typename Lesson::template Tracer<Real, TreeRecorder<Real>>>(tree, scene, probe);
+        detail::traceInto<typename Lesson::template Tracer<Real, TreeRecorder<Real>>>(tree, scene, probe, stop);
         return tree;
     });
 }
@@ -118,11 +133,12 @@ Image renderExercise(const SceneDescription& description, Precision, const Rende
 }
 
 template <int number, class Tracer>
-RayTree inspectExercise(const SceneDescription& description, Precision, const Probe& probe)
+RayTree inspectExercise(const SceneDescription& description, Precision, const Probe& probe,
+                        const std::atomic<bool>* stop)
 {
     const Scene<double> scene(description);
     RayTree tree = detail::emptyTree(number, description, name(Precision::doubled), probe);
-    detail::traceInto<Tracer>(tree, scene, probe);
+    detail::traceInto<Tracer>(tree, scene, probe, stop);
     return tree;
 }
 

@@ -26,8 +26,8 @@ const PictureModule& load(const std::string& picture)
 
 NeedsOpenImageIO::NeedsOpenImageIO(const std::string& picture)
     : sentence(
-          fmt::format("{}: reading pictures and writing .exr or .hdr needs OpenImageIO, and raytree was built without "
-                      "(RAYTREE_PICTURES in CMake); .png and .ppm are written all the same",
+          fmt::format("{}: to read a picture, or write .exr or .hdr, OpenImageIO is needed, and raytree was built without "
+                      "(RAYTREE_PICTURES in CMake); .png and .ppm can be written all the same",
                       picture))
 {
 }

@@ -35,7 +35,11 @@ template <std::floating_point Real, class Tracer, class RayOf>
 Vec3<Real> renderSamples(Tracer& tracer, int px, int py, int spp, RayOf&& rayOf)
 {
     Vec3<Real> sum(0);
-    for (int i = 0; i < spp; ++i) sum += tracer.trace(rayOf(px, py, i));
+    for (int i = 0; i < spp; ++i)
+    {
+        beginCameraRay();
+        sum += tracer.trace(rayOf(px, py, i));
+    }
     return spp == 1 ? sum : sum / Real(spp);
 }
 
@@ -120,27 +124,36 @@ struct Pass
     int firstFrom(int start) const { return (start + every - 1) / every * every; }
 };
 
-/// Renders one of them, or a pass of it; a pixel whose exercise is not attempted is magenta. Returns early once `stop` is set.
+/// Renders one of them, or a pass of it; a pixel whose exercise is not attempted is magenta. Returns early once `stop` is set,
+/// and between rows once `ended` is. Throws TooManyRays, with the pixel.
 template <class Tracer, std::floating_point Real>
 void renderTile(Image& image, int tile, const Scene<Real>& scene, int spp, const Pass& pass = {},
-                const std::atomic<bool>* stop = nullptr)
+                const std::atomic<bool>* stop = nullptr, const std::atomic<bool>* ended = nullptr)
 {
+    const TraceLimit limit(stop);
     Tracer tracer{scene};
     const int columns = (image.width + tileSide - 1) / tileSide;
     const int left = tile % columns * tileSide, top = tile / columns * tileSide;
     const int right = std::min(left + tileSide, image.width), bottom = std::min(top + tileSide, image.height);
     TileRays<Real> rays(scene, left, right, spp, pass.isWhole());
-    for (int y = pass.firstFrom(top); y < bottom; y += pass.every)
+    for (int y = pass.firstFrom(top); y < bottom && !(ended && *ended); y += pass.every)
         for (int x = pass.firstFrom(left); x < right; x += pass.every) try
             {
                 if (pass.had(x, y)) continue;
-                if (stop && *stop) return;
                 image.at(x, y) = Vec3<double>(renderSamples<Real>(tracer, x, y, spp, rays));
             }
             catch (const NotAttempted&)
             {
                 image.at(x, y) = magenta;
                 rays.restart();
+            }
+            catch (const Stopped&)
+            {
+                return;
+            }
+            catch (const TooManyRays&)
+            {
+                throw TooManyRays(pixelText(x, y), scene.settings.maxDepth);
             }
 }
 

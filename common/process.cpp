@@ -15,6 +15,7 @@
 
 #include <fmt/format.h>
 
+#include "common/interrupt.h"
 #include "common/spawn.h"
 
 namespace rt
@@ -42,23 +43,30 @@ public:
     bool hasEnded() const
     {
         siginfo_t info{};
-        const int failed = ::waitid(P_PID, id_t(pid), &info, WEXITED | WNOHANG | WNOWAIT);
+        const int failed = ::waitid(P_PID, id_t(pid.load()), &info, WEXITED | WNOHANG | WNOWAIT);
         return (failed != 0 && errno != EINTR) || info.si_pid == pid;
     }
 
     /// False if somebody else, a handler of SIGCHLD, has taken the status away.
     bool end(int& status)
     {
-        ::kill(-pid, SIGKILL);
+        kill();
+        forgetProcess(pid);
+        const pid_t dead = pid.exchange(-1);
         pid_t buried = -1;
-        do buried = ::waitpid(pid, &status, 0);
+        do buried = ::waitpid(dead, &status, 0);
         while (buried < 0 && errno == EINTR);
-        pid = -1;
         return buried > 0;
     }
 
 private:
-    pid_t pid;
+    void kill() const
+    {
+        if (const pid_t group = pid; group > 0) ::kill(-group, SIGKILL);
+    }
+
+    std::atomic<pid_t> pid;
+    UndoAtInterrupt undo{[this] { kill(); }};
 };
 
 /// Limits that hold even when we are gone.

@@ -31,8 +31,8 @@ struct ProcessResult
 
 /// Runs argv[0], searched in PATH, without a shell and with an empty standard input, and waits for it to end. It gets a
 /// process group of its own, all of which is killed at a limit and when the program itself has ended; none of it is
-/// left behind, unless it leaves the group on purpose: this is no sandbox. It dumps no core, and as it cannot use more
-/// processor time than the limit gives all processors together, it ends even if we are killed meanwhile. May be called from
+/// left behind, also if we are killed, unless it leaves the group on purpose: this is no sandbox. It dumps no core, and cannot
+/// use more processor time than the limit gives all processors together. May be called from
 /// several threads. Throws std::runtime_error with one sentence if the program cannot be started.
 ProcessResult runProcess(const std::vector<std::string>& argv, const ProcessLimits& limits = {});
 

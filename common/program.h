@@ -1,9 +1,10 @@
 // What programs share beside their command lines (cli.h), without CLI11's header, the one that takes longest to compile.
 #pragma once
 
-#include <atomic>
 #include <functional>
 #include <string>
+
+#include "common/interrupt.h"
 
 namespace rt
 {
@@ -13,13 +14,9 @@ enum ExitCode
     exitDone = 0,
     exitBadInput = 2,
     exitNoDisplay = 3,
-    exitNeedsOpenImageIO = 5, ///< the front door installs it and starts the program again; 4 is `trade`'s
+    exitNeedsOpenImageIO = 5, ///< and no front door ($RAYTREE_DOOR) is there to install it; 4 is `trade`'s
     exitInterrupted = 130
 };
-
-/// Set by Ctrl-C once watchInterrupt() has been called.
-const std::atomic<bool>& interrupted();
-void watchInterrupt();
 
 /// A progress callback: a bar on standard error if that is a terminal, once the work has lasted half a second.
 std::function<void(double)> progressBar(const std::string& title);

@@ -23,12 +23,14 @@ struct RenderOptions
     std::function<void(const Image&, int every)> passed = {};
 };
 
-/// The picture of the scene as `Tracer` sees it; a pixel whose exercise is not attempted is magenta.
+/// The picture of the scene as `Tracer` sees it; a pixel whose exercise is not attempted is magenta. Throws TooManyRays, naming
+/// the first pixel that was found to lead to more than rayLimit.
 template <class Tracer, std::floating_point Real>
 Image render(const Scene<Real>& scene, int width, int height, const RenderOptions& options)
 {
     Image image(width, height);
     const int tiles = tilesOf(image);
+    std::atomic<bool> ended = false; // by an exception
     const auto isStopped = [&] { return options.stop && *options.stop; };
     const auto shareOf = [](int every) { return every > 0 ? 1.0 / (double(every) * every) : 0.0; };
     Workers workers(options.threads);
@@ -38,7 +40,15 @@ Image render(const Scene<Real>& scene, int width, int height, const RenderOption
         std::atomic<int> done = 0;
         const auto one = [&](int tile) {
             if (isStopped()) return;
-            renderTile<Tracer>(image, tile, scene, options.spp, pass, options.stop);
+            try
+            {
+                renderTile<Tracer>(image, tile, scene, options.spp, pass, options.stop, &ended);
+            }
+            catch (...)
+            {
+                ended = true; // oneTBB begins no more tiles, but waits for those that are under way
+                throw;
+            }
             const double before = shareOf(pass.traced), now = shareOf(pass.every);
             if (options.progress) options.progress(before + (now - before) * (double(++done) / tiles));
         };

@@ -10,6 +10,7 @@
 #include "common/hit.h"
 #include "common/light.h"
 #include "common/look_ahead.h"
+#include "common/ray_limit.h"
 #include "common/scene_description.h"
 #include "common/sky.h"
 #include "common/sphere_search.h"
@@ -42,6 +43,7 @@ public:
     template <class Formulas = Shapes<Real>>
     [[gnu::always_inline]] std::optional<Hit<Real>> intersect(const Ray<Real>& ray, const Formulas& shapes = {}) const
     {
+        countRay();
         if constexpr (looksAhead<Real> && std::is_same_v<Formulas, Shapes<Real>>)
             if (ray.ahead && ray.ahead->isFor(ray)) return ray.ahead->hit;
 #if RAYTREE_HAS_AVX2
@@ -58,6 +60,7 @@ public:
     [[gnu::always_inline]] bool occluded(const Point<Real>& I, const Vec3<Real>& L, Real distance,
                                          const Formulas& shapes = {}) const
     {
+        countRay();
 #if RAYTREE_HAS_AVX2
         if constexpr (hasLanes<Real> && std::is_same_v<Formulas, Shapes<Real>>)
             if (instructions == Instructions::avx2) return occludedAvx2(I, L, distance);

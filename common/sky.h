@@ -4,6 +4,7 @@
 #include <array>
 #include <numbers>
 
+#include "common/portable.h"
 #include "common/scene_description.h"
 
 namespace rt
@@ -21,8 +22,8 @@ struct SkyFormulas
     static vec2 latLong(const vec3& D)
     {
         // SOLUTION 04-latlong
-        const Real longitude = std::atan2(D.x, -D.z);                  // -pi .. pi
-        const Real latitude = std::acos(std::clamp<Real>(D.y, -1, 1)); // 0 at the zenith .. pi
+        const Real longitude = portable::atan2(D.x, -D.z);                  // -pi .. pi
+        const Real latitude = portable::acos(std::clamp<Real>(D.y, -1, 1)); // 0 at the zenith .. pi
         return {Real(0.5) + longitude / (2 * PI), latitude / PI};
         // END
     }
@@ -30,9 +31,9 @@ struct SkyFormulas
     /// Debevec's angular map: the distance from the middle is the angle to -z, the rim is +z.
     static vec2 angularMap(const vec3& D)
     {
-        const Real across = std::hypot(D.x, D.y);
+        const Real across = portable::hypot(D.x, D.y);
         if (across == 0) return {D.z < 0 ? Real(0.5) : Real(1), Real(0.5)};
-        const Real r = std::atan2(across, -D.z) / PI;
+        const Real r = portable::atan2(across, -D.z) / PI;
         return {(1 + D.x / across * r) / 2, (1 - D.y / across * r) / 2};
     }
 };
@@ -50,7 +51,7 @@ public:
         if (!sky.sun) return;
         sun = unit(Vec3<Real>(unit(Vec3<Wide<Real>>(sky.sun->direction))));
         sunColor = narrow<Real>(sky.sun->color, "sky.sun.color");
-        sunChord = 2 * std::sin(Real(sky.sun->size) / 4 * SkyFormulas<Real>::PI / 180);
+        sunChord = 2 * portable::sin(Real(sky.sun->size) / 4 * SkyFormulas<Real>::PI / 180);
     }
 
     /// What a ray in direction D (unit) sees; any non-negative value, often far above 1.

@@ -42,10 +42,14 @@ struct Pipe
 void setNonBlocking(const Descriptor& descriptor);
 
 /// Starts argv[0], searched in PATH, as the leader of a process group of its own, without our signal mask and handlers. Its
-/// descriptor i is descriptors[i] (16 or above), or /dev/null for -1, which only 0 may be; it has no others. `environment`:
+/// descriptor i is descriptors[i] (16 or above), or /dev/null for -1, which only 0 may be; it has no others. Its group ends with
+/// us, even if we are killed: call forgetProcess() before waiting for it. `environment`:
 /// NAME=value, or our own if null. Throws std::runtime_error with one sentence.
 pid_t startProcess(const std::vector<std::string>& argv, std::span<const int> descriptors,
                    const std::vector<std::string>* environment = nullptr);
+
+/// It is about to be waited for, and its number may then go to another. Until then its group ends when we do, however that is.
+void forgetProcess(pid_t pid);
 
 /// "segmentation fault".
 std::string signalText(int number);

@@ -85,8 +85,11 @@ public:
         shadow.line = int(where.line());
         shadow.step = ++steps;
         if (!visible)
+        {
+            uncountRay();
             if (const auto hit = scene->intersect(Ray<Real>{.O = I, .D = L, .from = I.on}))
                 shadow.blocker = {scene->primitiveName(hit->I.on), Vec3<double>(hit->I)};
+        }
         tree->shadows.push_back(shadow);
     }
 

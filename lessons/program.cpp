@@ -6,6 +6,7 @@
 
 #include "common/explain.h"
 #include "common/scene_file.h"
+#include "common/tree_growth.h"
 #include "lessons/program_main.h"
 
 namespace rt
@@ -17,7 +18,7 @@ namespace
 void printTree(const LessonEntry& lesson, const SceneDescription& scene, const LessonOptions& options,
                const LectureFormulas& formulas)
 {
-    RayTree tree = lesson.inspect(scene, options.precision(), probe(options, scene));
+    RayTree tree = lesson.inspect(scene, options.precision(), probe(options, scene), &interrupted());
     tree.source = lesson.source;
     if (options.tree == "json") std::cout << toJson(tree);
     if (options.tree == "text" || (options.tree.empty() && !options.explain)) std::cout << toText(tree);
@@ -27,18 +28,12 @@ void printTree(const LessonEntry& lesson, const SceneDescription& scene, const L
 int renderPicture(const LessonEntry& lesson, const SceneDescription& scene, const LessonOptions& options,
                   const std::string& path)
 {
-    checkWritable(path);
-    watchInterrupt();
     const RenderOptions render{.spp = options.spp,
                                .threads = options.threads,
                                .progress = progressBar(fmt::format("lesson {:02}", lesson.number)),
                                .stop = &interrupted()};
     const Image image = lesson.render(scene, options.precision(), render);
-    if (interrupted())
-    {
-        std::cerr << "interrupted: nothing was written\n";
-        return exitInterrupted;
-    }
+    if (interrupted()) return sayInterrupted();
     writeImage(image, path);
     std::cerr << fmt::format("{}: {}x{} pixels, lesson {:02} {}, {}\n", path, image.width, image.height, lesson.number,
                              lesson.title, options.real);
@@ -73,9 +68,13 @@ int run(const LessonEntry& lesson, const SceneDescription& scene, const LessonOp
         const std::string& command, const LectureFormulas& formulas)
 {
     checkModels(lesson, scene, options.force);
+    const bool wantsPicture = !options.wantsTree() || !options.out.empty();
+    const auto picture = options.out.empty() ? command + ".png" : options.out;
+    if (wantsPicture) checkWritable(picture);
+    if (const auto warning = growthWarning(scene, lesson.models); !warning.empty()) std::cerr << warning << '\n';
+    watchInterrupt();
     if (options.wantsTree()) printTree(lesson, scene, options, formulas);
-    if (options.wantsTree() && options.out.empty()) return exitDone;
-    return renderPicture(lesson, scene, options, options.out.empty() ? command + ".png" : options.out);
+    return wantsPicture ? renderPicture(lesson, scene, options, picture) : int(exitDone);
 }
 
 int programMain(const LessonEntry& lesson, const std::string& program, const char* what,

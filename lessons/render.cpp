@@ -3,14 +3,20 @@
 
 #include <fmt/format.h>
 
+#include "common/guarded_main.h"
 #include "common/scene_file.h"
 #include "lessons/formulas.h"
 #include "lessons/program.h"
 #include "lessons/registry.h"
 
-int main(int argc, char** argv)
+namespace rt
 {
-    using namespace rt;
+
+namespace
+{
+
+int renderMain(int argc, char** argv)
+{
     CLI::App app("Renders a scene with the first lesson that models all that it requires.", "render");
     LessonOptions options;
     addLessonOptions(app, options);
@@ -25,4 +31,13 @@ int main(int argc, char** argv)
                                  scene.file);
         return run(*lesson, scene, options, "render", lectureFormulas());
     });
+}
+
+} // namespace
+
+} // namespace rt
+
+int main(int argc, char** argv)
+{
+    return rt::guarded(argv, [&] { return rt::renderMain(argc, argv); });
 }

@@ -14,8 +14,36 @@ ROOT = pathlib.Path(__file__).resolve().parents[1]
 BIN = pathlib.Path(sys.argv.pop(1)).resolve()
 
 
+def is_alive(pid):
+    """A zombie is dead, though nobody may have buried it."""
+    try:
+        return pathlib.Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()[0] not in "ZX"
+    except OSError:
+        return False
+
+
+def wait_until(holds, complaint, seconds=600):
+    """For what comes at once on an idle machine."""
+    end = time.monotonic() + seconds
+    while not holds():
+        if time.monotonic() > end:
+            raise AssertionError(complaint)
+        time.sleep(0.02)
+
+
+def wait_until_it_watches(process, sign=signal.SIGHUP):
+    """Until the program catches the signal, by default the last that ours ask for: on a busy machine loading takes seconds.
+    Python itself catches SIGINT, not SIGTERM."""
+    status = pathlib.Path(f"/proc/{process.pid}/status")
+
+    def catches():
+        caught = next(line.split()[1] for line in status.read_text().splitlines() if line.startswith("SigCgt"))
+        return process.poll() is not None or int(caught, 16) >> (sign - 1) & 1
+    wait_until(catches, "it does not watch for signals")
+
+
 class ProgramTest(unittest.TestCase):
-    SECONDS = 120  # for one call
+    SECONDS = 600  # for one call: only what hangs takes that
 
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
@@ -37,16 +65,10 @@ class ProgramTest(unittest.TestCase):
     def interrupted(self, *command):
         """A call that SIGINT ends must say so and leave no file."""
         process = subprocess.Popen([str(BIN / command[0]), *command[1:]], cwd=self.here, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-        # On a busy machine loading takes seconds: not before the program watches for the signal.
-        status = pathlib.Path(f"/proc/{process.pid}/status")
-        for _ in range(600):
-            caught = next(line.split()[1] for line in status.read_text().splitlines() if line.startswith("SigCgt"))
-            if int(caught, 16) >> (signal.SIGINT - 1) & 1:
-                break
-            time.sleep(0.1)
-        time.sleep(0.5)
+        wait_until_it_watches(process)
+        time.sleep(1)  # it has begun, by now
         process.send_signal(signal.SIGINT)
-        out, err = process.communicate(timeout=60)
+        out, err = process.communicate(timeout=600)
         self.assertEqual((process.returncode, out), (130, b""), err)
         self.assertIn(b"nothing was written", err)
         self.assertEqual(list(self.here.iterdir()), [])

@@ -1,6 +1,8 @@
 // Text, boxes and lines in pixels, y up: what the flat panes are made of.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 #include <vtkContext2D.h>
@@ -29,6 +31,8 @@ public:
 
     /// A design length in pixels of the screen.
     double px(double length) const { return length * scale; }
+    /// The width of a thin line: whole pixels, at least one.
+    double hair() const { return std::max(1.0, std::floor(scale)); }
 
     /// Vertically centred on y. Returns the width.
     double text(double x, double y, const std::string& text, const TextLook& look);

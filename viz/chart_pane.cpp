@@ -53,8 +53,7 @@ void ChartPane::paint(Canvas& canvas)
         [&](int id) { return controller.hasReturned(id); });
     paintBars(canvas, energy);
     paintTitle(canvas, energy);
-    canvas.fill({0, area.height - 1.0, double(area.width), 1}, color::line);
-    canvas.fill({area.width - 1.0, 0, 1, double(area.height)}, color::line);
+    paintEdges(canvas);
 }
 
 void ChartPane::paintTitle(Canvas& canvas, const Energy& energy)
@@ -119,7 +118,7 @@ void ChartPane::paintBars(Canvas& canvas, const Energy& energy)
     const auto length = [&](double share) {
         return share > 0 ? std::max(canvas.px(1), high * std::min(share, 1.0)) : 0;
     };
-    canvas.fill({pad, base - 1, width, 1}, color::line);
+    canvas.fill({pad, base - canvas.hair(), width, canvas.hair()}, color::line);
     for (std::size_t i = 0; i < groups.size(); ++i)
     {
         const auto& group = groups[i];

@@ -287,9 +287,8 @@ void CodePane::paint(Canvas& canvas)
         }
     }
     paintHeading(canvas, heading);
-    canvas.fill({0, area.height - heading, width, 1}, color::line);
-    canvas.fill({0, area.height - 1.0, width, 1}, color::line);
-    canvas.fill({width - 1, 0, 1, double(area.height)}, color::line);
+    canvas.fill({0, area.height - heading, width, canvas.hair()}, color::line);
+    paintEdges(canvas);
 }
 
 } // namespace rt::viz

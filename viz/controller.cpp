@@ -46,15 +46,22 @@ Controller::Controller(Session chosen) : session(std::move(chosen))
         coarse->goOn();
     }
     else if (session.source.render)
-        image = session.source.render(session.scene, session.render);
+        try
+        {
+            image = session.source.render(session.scene, session.render);
+        }
+        catch (const TooManyRays& error)
+        {
+            pictureProblem = error.what(); // another depth can be chosen in the window
+        }
     session.render.progress = nullptr; // later pictures are made in the background
     if (asksOthers())
     {
         traceTree();
         return;
     }
-    Trees trees = trace(session, false);
-    if (!trees.failure.empty() && trees.mine.nodes.empty()) throw std::runtime_error(trees.failure);
+    Trees trees = trace(session, interrupted());
+    if (!trees.failure.empty() && trees.mine.nodes.empty() && !trees.tooMany) throw std::runtime_error(trees.failure);
     take(std::move(trees));
 }
 
@@ -103,6 +110,15 @@ Controller::Trees Controller::trace(const Session& session, const std::atomic<bo
         trees.mine = session.source.inspect(session.scene, session.probe, stop);
         if (session.other) trees.other = session.other->inspect(session.scene, session.probe, stop);
     }
+    catch (const Stopped&)
+    {
+        // Nobody waits for them any more.
+    }
+    catch (const TooManyRays& error)
+    {
+        trees.failure = error.what();
+        trees.tooMany = true;
+    }
     catch (const std::exception& error)
     {
         trees.failure = error.what();
@@ -114,7 +130,7 @@ void Controller::traceTree()
 {
     if (!asksOthers())
     {
-        take(trace(session, false));
+        take(trace(session, interrupted()));
         notify(changedTree | changedNode | changedStep);
         return;
     }

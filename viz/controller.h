@@ -71,7 +71,7 @@ class Controller
 {
 public:
     /// Renders the picture and traces the tree of the probe. Throws what the source throws; but a slow source is asked in
-    /// the background, and its failures become the message.
+    /// the background, and its failures become the message, as do too many rays.
     explicit Controller(Session chosen);
 
     const SceneDescription& scene() const { return session.scene; }
@@ -168,6 +168,7 @@ private:
         RayTree mine;
         std::optional<RayTree> other;
         std::string failure;
+        bool tooMany = false; ///< it is that they would have too many rays
     };
 
     Session session;

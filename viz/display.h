@@ -1,14 +1,25 @@
-// Is there a display? To be asked before any VTK object exists: without one VTK crashes.
+// Is there a display that VTK can draw on? To be asked before any VTK object exists, since without one VTK crashes, and
+// before any thread does.
 #pragma once
+
+#include <string>
+
+#include "viz/screen.h"
 
 namespace rt::viz
 {
 
-/// An X display with OpenGL can be opened.
-bool hasDisplay();
+struct DisplayFacts
+{
+    std::string lacks; ///< why VTK cannot draw there, to be part of a sentence; empty: it can
+    // If it can:
+    Area area;        ///< where a window may lie, frame included
+    Frame frame;      ///< that it would get
+    double scale = 1; ///< that the desktop wishes for
+};
 
-/// Starts this program again, with the same arguments, on a display of its own (xvfb-run -a). Returns only if that is not
-/// possible: xvfb-run is not installed, or this already is the second start.
-void restartWithDisplay(char** argv, int width, int height);
+/// Asks the display that DISPLAY names. Whatever its X server or its OpenGL driver does (crash, hang, close the connection)
+/// happens to a child process, and ends after a while. `forWindow`: area, frame and scale are wanted, too.
+DisplayFacts askDisplay(bool forWindow);
 
 } // namespace rt::viz

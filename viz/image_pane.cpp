@@ -98,7 +98,7 @@ void ImagePane::paint(Canvas& canvas)
         const auto [x, y] = *pixel;
         const auto a = view.toPane(x, y + 1), b = view.toPane(x + 1, y);
         const double cx = (a[0] + b[0]) / 2, cy = (a[1] + b[1]) / 2;
-        const double half = std::max((b[0] - a[0]) / 2 + 1, canvas.px(4)), reach = half + canvas.px(22);
+        const double half = std::max((b[0] - a[0]) / 2 + canvas.hair(), canvas.px(4)), reach = half + canvas.px(22);
         for (const double width : {3.0, 1.0})
         {
             const Rgba ink = width > 2 ? Rgba{0, 0, 0, 150} : Rgba{255, 255, 255, 240};
@@ -111,7 +111,7 @@ void ImagePane::paint(Canvas& canvas)
         canvas.frame({cx - half, cy - half, 2 * half, 2 * half}, std::max(1.0, std::round(canvas.px(1.4))),
                      colorOf(RayRole::camera));
     }
-    canvas.fill({area.width - 1.0, 0, 1, double(area.height)}, color::line);
+    canvas.fill({area.width - canvas.hair(), 0, canvas.hair(), double(area.height)}, color::line);
 }
 
 } // namespace rt::viz

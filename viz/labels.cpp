@@ -58,13 +58,14 @@ std::vector<Box> candidates(const LabelRequest& request)
 
 std::vector<std::optional<Box>> placeLabels(const std::vector<LabelRequest>& requests, double width, double height,
                                             const std::vector<std::array<vec2, 2>>& lines,
-                                            const std::vector<Box>& taken)
+                                            const std::vector<Box>& taken, double scale)
 {
     std::vector<std::size_t> order(requests.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return requests[a].priority > requests[b].priority; });
 
+    const double edge = 2 * scale;
     std::vector<std::optional<Box>> places(requests.size());
     std::vector<Box> used = taken;
     for (const auto index : order)
@@ -74,12 +75,13 @@ std::vector<std::optional<Box>> placeLabels(const std::vector<LabelRequest>& req
         int fewest = 1 << 20;
         for (const auto& box : candidates(request))
         {
-            if (box.x < 2 || box.y < 2 || box.x + box.width > width - 2 || box.y + box.height > height - 2) continue;
-            if (std::any_of(used.begin(), used.end(), [&](const Box& other) { return box.overlaps(other, 3); }))
+            if (box.x < edge || box.y < edge || box.x + box.width > width - edge || box.y + box.height > height - edge)
+                continue;
+            if (std::any_of(used.begin(), used.end(), [&](const Box& other) { return box.overlaps(other, 3 * scale); }))
                 continue;
             int crossed = 0;
             for (std::size_t i = 0; i < lines.size(); ++i)
-                if (int(i) != request.line) crossed += crosses(lines[i], box, 1);
+                if (int(i) != request.line) crossed += crosses(lines[i], box, scale);
             if (crossed < fewest)
             {
                 fewest = crossed;

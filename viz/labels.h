@@ -28,10 +28,10 @@ struct LabelRequest
 };
 
 /// A box for each label, or none where everything near its anchors is taken. Labels stay within width x height and keep
-/// clear of the lines if they can, and of the `taken` boxes always.
+/// clear of the lines if they can, and of the `taken` boxes always; `scale` is that of the distances between them.
 std::vector<std::optional<Box>> placeLabels(const std::vector<LabelRequest>& requests, double width, double height,
                                             const std::vector<std::array<vec2, 2>>& lines,
-                                            const std::vector<Box>& taken);
+                                            const std::vector<Box>& taken, double scale = 1);
 
 /// Points along a segment at which a label may stand.
 std::vector<vec2> alongSegment(const std::array<vec2, 2>& line, double width, double height);

@@ -34,9 +34,9 @@ Layout layoutFor(int width, int height, const LayoutWishes& wishes)
     height = std::max(height, 8);
     Layout layout;
     const auto place = [&](PaneId pane) -> Rect& { return layout.panes[int(pane)]; };
-    const double size = std::min(width / 1600.0, height / 900.0);
+    const double size = std::min(width / wishes.scale / designWidth, height / wishes.scale / designHeight);
     // Text shrinks less than the window: it must stay legible.
-    layout.scale = std::clamp(size < 1 ? std::pow(size, 0.7) : size, 0.8, 4.0);
+    layout.scale = wishes.scale * std::clamp(size < 1 ? std::pow(size, 0.7) : size, 0.8, 4.0);
     const auto px = [&](double length) { return int(std::lround(length * layout.scale)); };
 
     Rect rest{0, 0, width, height};
@@ -51,7 +51,7 @@ Layout layoutFor(int width, int height, const LayoutWishes& wishes)
         place(wishes.whole) = rest;
         return layout;
     }
-    const bool isSmall = width < 900 || height < 520;
+    const bool isSmall = width < widthForAll * wishes.scale || height < heightForAll * wishes.scale;
     Rect left = takeLeft(rest, std::max(1, width * (isSmall ? 40 : 27) / 100));
     place(PaneId::image) = takeTop(left, std::clamp(left.width * 3 / 4, left.height / 4, left.height * 45 / 100));
     place(PaneId::numbers) = left;

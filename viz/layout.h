@@ -30,7 +30,7 @@ inline constexpr int panesInAll = 9;
 
 struct Layout
 {
-    double scale = 1; ///< of text and spacing
+    double scale = 1; ///< of text, spacing and lines: it follows the size of the window, too
     Rect panes[panesInAll];
 
     const Rect& operator[](PaneId pane) const { return panes[int(pane)]; }
@@ -40,10 +40,15 @@ struct LayoutWishes
 {
     PaneId whole = PaneId::none; ///< this one takes the place of all between title and strip
     bool titleHasTwoLines = false;
+    double scale = 1; ///< pixels of the window for each pixel of the design: 2 on a screen of twice the usual density
 };
 
-/// Panes cover a window of any size without overlapping. From 900x520 on all are shown; a smaller window has room for the
-/// most important ones only.
+/// The window that is designed: in it a length of the design is that many pixels.
+inline constexpr int designWidth = 1600, designHeight = 900;
+/// A window of at least this size (times the scale) shows all panes.
+inline constexpr int widthForAll = 900, heightForAll = 520;
+
+/// Panes cover a window of any size without overlapping; a small one has room for the most important panes only.
 Layout layoutFor(int width, int height, const LayoutWishes& wishes = {});
 
 } // namespace rt::viz

@@ -150,7 +150,7 @@ void NumbersPane::paint(Canvas& canvas)
     // The head lies over what scrolls.
     canvas.fill({0, area.height - head, width, head}, color::panel);
     paintHeading(canvas, area.height - canvas.px(14) - paintChips(canvas, area.height - canvas.px(14)) - canvas.px(12));
-    canvas.fill({pad, area.height - head, width - 2 * pad, 1}, color::line);
+    canvas.fill({pad, area.height - head, width - 2 * pad, canvas.hair()}, color::line);
     if (overflow > 0)
     {
         const double track = area.height - head - canvas.px(8),
@@ -158,8 +158,7 @@ void NumbersPane::paint(Canvas& canvas)
         const double top = area.height - head - canvas.px(4) - (track - bar) * scrolled / overflow;
         canvas.roundedBox({width - canvas.px(9), top - bar, canvas.px(4), bar}, canvas.px(2), color::textFaint);
     }
-    canvas.fill({0, area.height - 1.0, width, 1}, color::line);
-    canvas.fill({width - 1, 0, 1, double(area.height)}, color::line);
+    paintEdges(canvas);
 }
 
 } // namespace rt::viz

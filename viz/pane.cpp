@@ -57,6 +57,13 @@ void Pane::paintIn(vtkRenderer* other)
     other->AddActor(overlay);
 }
 
+void Pane::paintEdges(Canvas& canvas)
+{
+    const double hair = canvas.hair();
+    canvas.fill({0, area.height - hair, double(area.width), hair}, color::line);
+    canvas.fill({area.width - hair, 0, hair, double(area.height)}, color::line);
+}
+
 void Pane::place(const Rect& rect, int windowWidth, int windowHeight, double contentScale)
 {
     area = rect;

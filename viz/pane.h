@@ -60,6 +60,8 @@ protected:
     void setBackground(const Rgba& background);
     /// Puts what `paint` draws above another renderer.
     void paintIn(vtkRenderer* other);
+    /// The lines towards the panes at the right and above.
+    void paintEdges(Canvas& canvas);
     /// Draws the pane, or what lies over its 3D content.
     virtual void paint(Canvas&) {}
 

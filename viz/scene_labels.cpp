@@ -46,7 +46,7 @@ public:
         addObjects();
         std::vector<LabelRequest> requests;
         for (const auto& label : labels) requests.push_back(label.request);
-        const auto places = placeLabels(requests, input.width, input.height, lines, taken);
+        const auto places = placeLabels(requests, input.width, input.height, lines, taken, canvas.hair());
         for (std::size_t i = 0; i < labels.size(); ++i)
             if (places[i]) draw(labels[i], *places[i]);
     }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "common/image.h"
+#include "common/interrupt.h"
 #include "common/nearest_word.h"
 #include "viz/state.h"
 
@@ -359,7 +360,12 @@ void runScript(const std::vector<ScriptCommand>& commands, const ScriptHost& hos
     {
         try
         {
+            if (interrupted()) throw Stopped(); // what is not whole is neither shown nor written
             findKind(command.words[0])->run(host, command.words);
+        }
+        catch (const Stopped&)
+        {
+            throw;
         }
         catch (const std::exception& error)
         {

@@ -237,7 +237,7 @@ void StripPane::paintSlider(Canvas& canvas, Role role, const Box& place, const s
     canvas.roundedBox({track.left - rail / 2, y - rail / 2, x - track.left + rail, rail}, rail / 2, color::accent);
     if (role == depthSlider && (track.right - track.left) / track.stops > canvas.px(7))
         for (int i = 0; i <= track.stops; ++i)
-            canvas.fill({std::round(track.x(double(i) / track.stops)), y - canvas.px(6.5), 1, canvas.px(3)},
+            canvas.fill({std::round(track.x(double(i) / track.stops)), y - canvas.px(6.5), canvas.hair(), canvas.px(3)},
                         color::textFaint);
     const bool isLively = held == role || hotSlider == role;
     canvas.disc({x, y}, knob + (isLively ? canvas.px(1.5) : 0), color::accent);
@@ -288,7 +288,8 @@ double StripPane::paintChips(Canvas& canvas, double x, double y)
         if (chip.isOn) canvas.roundedBox(capBox, canvas.px(4.5), colorOf(chip.role));
         canvas.text(capBox.x + (cap - canvas.textWidth(chip.key, key)) / 2, y, chip.key, key);
         const double at = x + cap + canvas.px(8), wide = canvas.text(at, y, chip.text, text);
-        if (!chip.isOn) canvas.fill({at, std::round(y), wide, 1}, color::textFaint); // struck out: not by colour alone
+        if (!chip.isOn)
+            canvas.fill({at, std::round(y), wide, canvas.hair()}, color::textFaint); // struck out: not by colour alone
         addSpot(box, fmt::format("{} {}  ({})", chip.isOn ? "hide" : "show", chip.text, chip.key), chip.act);
         x += width + canvas.px(6);
     }
@@ -305,7 +306,7 @@ bool StripPane::paintLine(Canvas& canvas, double x, double y)
     {
         const double end = x + pad + canvas.text(x + pad, y, "go to ray ", look);
         const double digits = canvas.text(end, y, *typed, {Font::bold, 13, color::accent});
-        canvas.fill({end + digits + 2, y - canvas.px(8), canvas.px(1.5), canvas.px(16)}, color::text);
+        canvas.fill({end + digits + 2 * canvas.hair(), y - canvas.px(8), canvas.px(1.5), canvas.px(16)}, color::text);
         canvas.textWithin(end + digits + canvas.px(16), y, area.width - end - digits - canvas.px(30),
                           "⏎ goes there, Esc leaves", {Font::sans, 12, color::textDim});
         return true;
@@ -371,7 +372,7 @@ void StripPane::paint(Canvas& canvas)
 {
     spots.clear();
     const double width = area.width, pad = canvas.px(14);
-    canvas.fill({0, area.height - 1.0, width, 1}, color::line);
+    canvas.fill({0, area.height - canvas.hair(), width, canvas.hair()}, color::line);
     const double rowHeight = area.height / 2.0, upper = area.height - rowHeight * 0.53, lower = rowHeight * 0.5;
 
     const double left = paintButtons(canvas, pad, upper) + canvas.px(16);

@@ -12,7 +12,7 @@ namespace rt::viz
 
 namespace
 {
-constexpr int clickDistance = 4; // pixels; further is a drag
+constexpr double clickDistance = 4; // pixels of the design; further is a drag
 }
 
 vtkStandardNewMacro(Style);
@@ -36,7 +36,7 @@ void Style::OnMouseMove()
 {
     int x = 0, y = 0;
     this->Interactor->GetEventPosition(x, y);
-    if (pressed && !dragging && std::hypot(x - pressedX, y - pressedY) >= clickDistance)
+    if (pressed && !dragging && std::hypot(x - pressedX, y - pressedY) >= clickDistance * window->pixelScale())
     {
         dragging = true;
         if (onScene())

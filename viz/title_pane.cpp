@@ -23,7 +23,7 @@ void TitlePane::paint(Canvas& canvas)
     const double second = controller.canCompare() ? area.height * 28.0 / 74 : 0; // height of the line below
     const double middle = second + (area.height - second) / 2, gap = canvas.px(26), pad = canvas.px(16);
     if (second > 0) paintComparison(canvas, second);
-    canvas.fill({0, 0, double(area.width), 1}, color::line);
+    canvas.fill({0, 0, double(area.width), canvas.hair()}, color::line);
 
     // The facts of the pixel stand at the right, the last ones only if there is room. The rest of the line is the title's.
     struct Fact
@@ -86,7 +86,7 @@ void TitlePane::paintComparison(Canvas& canvas, double height)
     const double pad = canvas.px(16), y = height * 0.56;
     const TextLook plain{Font::sans, 13, color::textDim};
     const Rgba other = colorOf(RayRole::other);
-    canvas.fill({0, 1, double(area.width), height}, mix(color::panel, other, 0.08));
+    canvas.fill({0, canvas.hair(), double(area.width), height}, mix(color::panel, other, 0.08));
     double x = pad;
     const auto name = shorten(controller.other().title, 48);
     const auto* comparison = controller.comparison();

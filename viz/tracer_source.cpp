@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "common/interrupt.h"
 #include "common/process.h"
 
 namespace rt::viz
@@ -25,15 +26,20 @@ public:
         if (!mkdtemp(pattern.data())) throw std::runtime_error("no temporary folder could be made");
         path = pattern;
     }
-    ~ScratchFolder()
-    {
-        std::error_code ignored;
-        std::filesystem::remove_all(path, ignored);
-    }
+    ~ScratchFolder() { remove(); }
     ScratchFolder(const ScratchFolder&) = delete;
     ScratchFolder& operator=(const ScratchFolder&) = delete;
 
     std::filesystem::path path;
+
+private:
+    void remove() const
+    {
+        std::error_code ignored;
+        std::filesystem::remove_all(path, ignored);
+    }
+
+    UndoAtInterrupt undo{[this] { remove(); }};
 };
 
 Words sceneWords(const SceneDescription& scene)

@@ -224,8 +224,7 @@ void TreePane::paintTitle(Canvas& canvas)
 {
     const double high = canvas.px(34), y = area.height - high / 2;
     canvas.fill({0, area.height - high, double(area.width), high}, color::panel);
-    canvas.fill({0, area.height - 1.0, double(area.width), 1}, color::line);
-    canvas.fill({area.width - 1.0, 0, 1, double(area.height)}, color::line);
+    paintEdges(canvas);
     double x = canvas.px(16);
     x += canvas.text(x, y, "Ray tree", {Font::bold, 13, color::text}) + canvas.px(12);
     const auto& tree = controller.tree();
@@ -247,7 +246,7 @@ void TreePane::paintLegend(Canvas& canvas)
 {
     const double high = canvas.px(24), y = high / 2;
     const TextLook look{Font::sans, 10.5, color::textFaint};
-    canvas.fill({0, 0, area.width - 1.0, high}, color::panel);
+    canvas.fill({0, 0, area.width - canvas.hair(), high}, color::panel);
     double x = canvas.px(16);
     for (const char* entry : {"● ray", "○ hits nothing", "■ shadow ray", "□ blocked", "‖ not followed"})
     {
@@ -341,7 +340,9 @@ void TreePane::paintTip(Canvas& canvas, const vec2& at)
     if (box.y < canvas.px(4)) box.y = at[1] + gap;
     if (box.y + box.height > area.height - canvas.px(4))
         box.y = std::max(canvas.px(4), area.height - canvas.px(4) - box.height);
-    canvas.roundedBox({box.x - 1, box.y - 1, box.width + 2, box.height + 2}, canvas.px(6), color::textFaint);
+    const double rim = canvas.hair();
+    canvas.roundedBox({box.x - rim, box.y - rim, box.width + 2 * rim, box.height + 2 * rim}, canvas.px(6),
+                      color::textFaint);
     canvas.roundedBox(box, canvas.px(6), color::panelRaised);
     for (std::size_t i = 0; i < lines.size(); ++i)
         canvas.text(box.x + pad, box.y + box.height - canvas.px(5) - row * (double(i) + 0.5), lines[i], lookOf(i));

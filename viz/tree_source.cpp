@@ -21,8 +21,9 @@ TreeSource lessonSource(const LessonEntry& lesson, Precision precision)
     source.render = [&lesson, precision](const SceneDescription& scene, const RenderOptions& options) {
         return lesson.render(scene, precision, options);
     };
-    source.inspect = [&lesson, precision](const SceneDescription& scene, const Probe& probe, const std::atomic<bool>&) {
-        RayTree tree = lesson.inspect(scene, precision, probe);
+    source.inspect = [&lesson, precision](const SceneDescription& scene, const Probe& probe,
+                                          const std::atomic<bool>& stop) {
+        RayTree tree = lesson.inspect(scene, precision, probe, &stop);
         tree.source = lesson.source;
         return tree;
     };

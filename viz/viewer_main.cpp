@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -12,10 +13,13 @@
 #include "common/cli.h"
 #include "common/image.h"
 #include "common/scene_file.h"
+#include "common/tree_growth.h"
 #include "lessons/registry.h"
 #include "viz/choose_source.h"
 #include "viz/display.h"
+#include "viz/display_probe.h"
 #include "viz/export.h"
+#include "viz/own_display.h"
 #include "viz/recording.h"
 #include "viz/script.h"
 #include "viz/state.h"
@@ -36,7 +40,8 @@ struct ViewerOptions : TraceOptions
     std::string lesson; ///< its number; empty: the smallest that is sufficient
     std::string screenshot, exportTo, tracer, compare, record, play, state;
     std::optional<std::string> script;
-    std::string windowSize = "1600x900";
+    std::optional<std::string> windowSize; // empty: what suits screen and scale
+    double scale = 0;                      // 0: what suits the screen
     std::string look = "dark";
     bool force = false;
 
@@ -61,7 +66,7 @@ std::array<int, 2> windowSize(const std::string& text)
     const auto [middle, error] = std::from_chars(text.data(), end, size[0]);
     if (error == std::errc() && middle != end && *middle == 'x')
         if (const auto rest = std::from_chars(middle + 1, end, size[1]); rest.ec == std::errc() && rest.ptr == end)
-            if (size[0] >= 640 && size[1] >= 400 && size[0] <= 8192 && size[1] <= 8192) return size;
+            if (size[0] >= 640 && size[1] >= 400 && std::max(size[0], size[1]) <= largestWindow) return size;
     throw CLI::ValidationError("--size-window",
                                fmt::format("expected WxH from 640x400 to 8192x8192, got \"{}\"", text));
 }
@@ -157,6 +162,8 @@ Session chooseSession(ViewerOptions options, std::string& problem)
     if (options.tracer.empty())
     {
         checkModels(*lesson, session.scene, options.force);
+        if (const auto warning = growthWarning(session.scene, lesson->models); !warning.empty())
+            std::cerr << warning << '\n';
         session.source = lessonSource(*lesson, options.precision());
         session.render.progress = progressBar(fmt::format("lesson {:02}", lesson->number));
     }
@@ -181,22 +188,22 @@ void exportAndTell(const std::string& path, Controller& controller)
 class LateWindow
 {
 public:
-    LateWindow(Controller& shown, int windowWidth, int windowHeight, bool isOnScreen)
-        : controller(shown), width(windowWidth), height(windowHeight), onScreen(isOnScreen)
+    LateWindow(Controller& shown, const WindowPlace& where, bool isOnScreen)
+        : controller(shown), place(where), onScreen(isOnScreen)
     {
     }
 
     Window& operator()()
     {
         if (window) return *window;
-        window = std::make_unique<Window>(controller, width, height, onScreen);
+        window = std::make_unique<Window>(controller, place, onScreen);
         window->exportAll = [this] { exportAndTell("raytree-export", controller); };
         return *window;
     }
 
 private:
     Controller& controller;
-    int width, height;
+    WindowPlace place;
     bool onScreen;
     std::unique_ptr<Window> window;
 };
@@ -207,6 +214,7 @@ ScriptHost scriptHost(Controller& controller, LateWindow& window)
     host.exportTo = [&](const std::string& path) { exportAndTell(path, controller); };
     host.shot = [&](const std::string& file) {
         controller.wait(); // what keys and clicks have begun
+        if (interrupted()) throw Stopped();
         writeImage(window().picture(), file);
     };
     host.key = [&](const std::string& key) { window().press(key); };
@@ -224,65 +232,148 @@ ScriptHost scriptHost(Controller& controller, LateWindow& window)
     host.hover = [&, up](int x, int y) { window().hover(x, up(x, y)); };
     host.wheel = [&, up](int x, int y, bool forward) { window().wheel(x, up(x, y), forward); };
     host.resize = [&](int width, int height) {
-        if (std::min(width, height) < 1 || std::max(width, height) > 8192)
+        if (std::min(width, height) < 1 || std::max(width, height) > largestWindow)
             throw std::runtime_error("a window has 1 to 8192 pixels each way");
         window().resize(width, height);
     };
     return host;
 }
 
-int view(const ViewerOptions& options, char** argv)
+/// What options and recording say. Without them the window is as large as the design; the scale may then still follow from
+/// the screen, and is 0.
+WindowPlace askedWindow(const ViewerOptions& options)
 {
-    const auto [width, height] = windowSize(options.windowSize);
+    WindowPlace place;
+    place.scale = options.scale;
+    if (!options.play.empty())
+        if (const auto recorded = checkRecording(options.play))
+        {
+            place = *recorded;
+            if (options.scale > 0) place.scale = options.scale;
+        }
+    if (options.windowSize)
+    {
+        const auto [width, height] = windowSize(*options.windowSize);
+        place.width = width;
+        place.height = height;
+    }
+    return place;
+}
+
+/// Completes what was asked for: pictures do not depend on the screen.
+WindowPlace completed(WindowPlace place, double scale)
+{
+    if (!(place.scale > 0)) place.scale = scale;
+    if (place.width > 0) return place;
+    place.width = std::min(largestWindow, int(std::lround(designWidth * place.scale)));
+    place.height = std::min(largestWindow, int(std::lround(designHeight * place.scale)));
+    return place;
+}
+
+/// No part of the window, nor of its frame, is beside the screen or behind a panel.
+WindowPlace onScreen(WindowPlace place, const ViewerOptions& options, const DisplayFacts& display)
+{
+    place = completed(place, fittingScale(display.scale, display.area, display.frame));
+    auto shown = placeWindow(place.width, place.height, display.area, display.frame);
+    shown.scale = place.scale;
+    const bool isCut = shown.width < place.width || shown.height < place.height;
+    if (isCut && (options.windowSize || !options.play.empty()))
+        std::cerr << fmt::format("viewer: the screen has no room for a window of {}x{} pixels: it gets {}x{}\n",
+                                 place.width, place.height, shown.width, shown.height);
+    return shown;
+}
+
+/// A display that can draw: the user's or one of our own; or it says what both lack. `isMapped`: the window is shown, so
+/// the screen must have room for it.
+DisplayFacts displayForPicture(std::optional<OwnDisplay>& own, WindowPlace& place, bool isMapped)
+{
+    place = completed(place, 1);
+    const auto users = askDisplay(isMapped);
+    const bool hasRoom = !isMapped || (users.area.width >= place.width && users.area.height >= place.height);
+    if (interrupted() || (users.lacks.empty() && hasRoom)) return users;
+    std::string why;
+    try
+    {
+        own.emplace(place.width, place.height);
+        auto facts = askDisplay(false);
+        if (facts.lacks.empty()) return facts;
+        why = facts.lacks + " (Debian's package for drawing is libgl1-mesa-dri)";
+        own.reset();
+    }
+    catch (const std::runtime_error& error)
+    {
+        why = error.what();
+    }
+    auto facts = users;
+    if (!facts.lacks.empty())
+        facts.lacks += fmt::format(", and an X server of the viewer's own cannot draw the picture either: {}", why);
+    return facts;
+}
+
+int view(const ViewerOptions& options)
+{
     if (!options.screenshot.empty()) checkWritable(options.screenshot);
     if (!options.exportTo.empty()) checkExport(options.exportTo);
     for (const auto& file : {options.state, options.record})
         if (!file.empty()) checkFolder(file);
-    if (!options.play.empty()) checkRecording(options.play);
+    WindowPlace place = askedWindow(options);
     const auto script = options.script.value_or("");
     const bool isFile = script.find_first_of(";\n") == std::string::npos && std::filesystem::is_regular_file(script);
     const auto commands = parseScript(isFile ? readTextFile(script) : script);
 
     const bool drawn = !options.screenshot.empty() || !options.play.empty() || needsWindow(commands);
-    const bool display = (drawn || !options.isHeadless()) && hasDisplay();
-    if (drawn && options.isHeadless() && !display) restartWithDisplay(argv, width, height);
+    DisplayFacts display;
+    std::optional<OwnDisplay> own;
+    if (!options.isHeadless())
+    {
+        display = askDisplay(true);
+        if (display.lacks.empty()) place = onScreen(place, options, display);
+    }
+    else if (drawn)
+        display = displayForPicture(own, place, !options.play.empty());
 
     std::string problem;
     Session session = chooseSession(options, problem);
-    if (!display && (drawn || !options.isHeadless()))
+    if (interrupted()) return exitInterrupted;
+    if (!display.lacks.empty())
     {
-        std::cerr
-            << (drawn ? "viewer: a picture of the window needs a display or the program xvfb-run (Debian's package is "
-                        "xvfb)\n"
-                      : "viewer: there is no display to open a window on; --screenshot FILE.png, --export FOLDER "
-                        "and --script need none\n");
+        std::cerr << "viewer: " << display.lacks
+                  << (options.isHeadless() ? "\n"
+                                           : ", so no window can be opened; --screenshot FILE.png, --export FOLDER and "
+                                             "--script need none\n");
         return exitNoDisplay;
     }
-    watchInterrupt();
+    // A recording is worth a longer wait: it is written when the window has closed.
+    constexpr std::chrono::milliseconds tillRecorded{2000};
+    watchInterrupt(options.record.empty() ? AfterInterrupt() : AfterInterrupt{.patience = tillRecorded});
     session.render.stop = &interrupted();
     Controller controller(std::move(session));
     if (options.isHeadless()) controller.wait();
-    if (interrupted()) return exitInterrupted;
+    if (interrupted()) return sayInterrupted();
     if (!problem.empty()) controller.say(problem);
-    if (options.isHeadless() && controller.tree().nodes.empty() && !controller.message().empty())
+    const auto& source = controller.source();
+    const bool noPicture = source.render && !source.isSlow && controller.picture().width == 0; // too many rays
+    if (options.isHeadless() && (noPicture || controller.tree().nodes.empty()) && !controller.message().empty())
         throw std::runtime_error(controller.message());
     if (options.look == "light") controller.toggleLook();
 
+    endWithDisplay();
     // Replayed events need a window that can be clicked.
-    LateWindow window(controller, width, height, !options.isHeadless() || !options.play.empty());
+    LateWindow window(controller, place, !options.isHeadless() || !options.play.empty());
     if (!options.play.empty()) window().replay(options.play);
     runScript(commands, scriptHost(controller, window));
     if (!options.screenshot.empty())
     {
         controller.wait();
+        if (interrupted()) return sayInterrupted();
         writeImage(window().picture(), options.screenshot);
-        std::cerr << fmt::format("{}: {}x{} pixels\n", options.screenshot, width, height);
+        std::cerr << fmt::format("{}: {}x{} pixels\n", options.screenshot, place.width, place.height);
     }
     // After the picture, which is not about the files.
     if (!options.exportTo.empty()) exportAndTell(options.exportTo, controller);
     if (!options.isHeadless()) window().run(options.record);
     if (!options.state.empty()) writeTextFile(options.state, stateJson(controller));
-    return exitDone;
+    return interrupted() ? sayInterrupted("interrupted") : int(exitDone);
 }
 
 } // namespace
@@ -295,6 +386,14 @@ int viewerMain(int argc, char** argv)
         const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
         return digits ? std::string() : "expected the number of a lesson, got \"" + text + "\"";
     };
+    const auto isScale = [](const std::string& text) {
+        double scale = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), scale);
+        const bool isGood = error == std::errc() && end == text.data() + text.size() && scale >= smallestScale &&
+                            scale <= largestScale; // NaN is not
+        return isGood ? std::string()
+                      : fmt::format("expected a number from {} to {}, got \"{}\"", smallestScale, largestScale, text);
+    };
     app.add_option("lesson", options.lesson, "number of a lesson; default: the first that models the scene")
         ->check(CLI::Validator(isNumber, ""))
         ->type_name("N");
@@ -302,9 +401,16 @@ int viewerMain(int argc, char** argv)
     addTraceOptions(app, options);
     app.add_option("--screenshot", options.screenshot, "write a picture of the window and exit; needs no display")
         ->type_name("FILE.png");
-    app.add_option("--size-window", options.windowSize, "size of the window in pixels")
-        ->type_name("WxH")
-        ->capture_default_str();
+    app.add_option("--size-window", options.windowSize,
+                   "size of the window in pixels; default: 1600x900 times the scale. A window is never larger than the "
+                   "screen has room for, a picture is")
+        ->type_name("WxH");
+    app.add_option(
+           "--scale", options.scale,
+           "pixels for each pixel of the design, of letters, lines and panes; default: for a window the largest of "
+           "Xft.dpi / 96, GDK_SCALE and QT_SCALE_FACTOR, for a picture 1")
+        ->check(CLI::Validator(isScale, ""))
+        ->type_name("X");
     app.add_option("--export", options.exportTo,
                    "write the ray tree as .json, .vtp, .glb, .gltf or .html, or all of them into a folder, and exit")
         ->type_name("PATH");
@@ -320,7 +426,7 @@ int viewerMain(int argc, char** argv)
     app.add_option("--record", options.record, "write what is done in the window to a file")
         ->excludes("--screenshot", "--export", "--script")
         ->type_name("FILE");
-    app.add_option("--play", options.play, "do in the window what was recorded; needs the same --size-window")
+    app.add_option("--play", options.play, "do in the window what was recorded, at the size that it had then")
         ->type_name("FILE");
     app.add_option("--state", options.state, "at the end, write what is selected and shown as JSON")->type_name("FILE");
     app.add_option("--look", options.look, "colours of the window")
@@ -338,8 +444,9 @@ int viewerMain(int argc, char** argv)
                "  viewer 6 --export out               the tree for ParaView, Blender and a browser\n"
                "  viewer 6 --script 'pick 320 240; step 5; state out.json; shot out.png'\n"
                "Commands of a script:\n" +
-               scriptHelp() + "Keys: press h in the window. Exit codes: 0 done, 2 bad input or usage, 3 no display.");
-    return runMain(app, argc, argv, [&] { return view(options, argv); });
+               scriptHelp() +
+               "Keys: press h in the window. Exit codes: 0 done, 2 bad input or usage, 3 no display that can draw.");
+    return runMain(app, argc, argv, [&] { return view(options); });
 }
 
 } // namespace rt::viz

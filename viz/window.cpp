@@ -32,11 +32,13 @@ Controller& dressed(Controller& controller)
 
 } // namespace
 
-Window::Window(Controller& shown, int windowWidth, int windowHeight, bool onScreen)
+Window::Window(Controller& shown, const WindowPlace& place, bool onScreen)
     : controller(dressed(shown)), title(shown), image(shown), numbers(shown), scene(shown), code(shown), tree(shown),
-      chart(shown), strip(shown), help(shown), width(windowWidth), height(windowHeight), dressedFor(shown.look())
+      chart(shown), strip(shown), help(shown), width(place.width), height(place.height), scale(place.scale),
+      dressedFor(shown.look())
 {
     window->SetWindowName("raytree");
+    window->SetPosition(place.x, place.y);
     window->SetSize(width, height);
     window->SetMultiSamples(0); // with depth peeling more than 0 loses what is translucent
     window->SetDPI(72);
@@ -76,13 +78,14 @@ Window::~Window()
 
 LayoutWishes Window::wishes() const
 {
-    return {controller.showsHelp() ? PaneId::help : whole, controller.canCompare()};
+    return {controller.showsHelp() ? PaneId::help : whole, controller.canCompare(), scale};
 }
 
 void Window::layOut()
 {
     laidOut = wishes();
     const Layout layout = layoutFor(width, height, laidOut);
+    drawnScale = layout.scale;
     for (std::size_t i = 0; i < panes.size(); ++i) panes[i]->place(layout.panes[i], width, height, layout.scale);
     under = nullptr;
     drawOnly(panes);
@@ -107,6 +110,11 @@ void Window::resize(int newWidth, int newHeight)
 void Window::run(const std::string& record)
 {
     const std::string part = record + ".part";
+    const UndoAtInterrupt undo([&part] {
+        std::error_code ignored;
+        std::filesystem::remove(part, ignored);
+    });
+    const WindowPlace recorded{.width = width, .height = height, .scale = scale};
     if (!record.empty()) writeTextFile(part, ""); // or says now why it cannot be written
     auto recorder = vtkSmartPointer<vtkInteractorEventRecorder>::New();
     interactor->Initialize();
@@ -130,7 +138,7 @@ void Window::run(const std::string& record)
     if (record.empty()) return;
     recorder->RemoveObservers(vtkCommand::DisableEvent);
     recorder = nullptr; // closes the file
-    writeTextFile(record, tidyRecording(readTextFile(part)));
+    writeTextFile(record, tidyRecording(readTextFile(part), recorded));
     std::filesystem::remove(part);
 }
 

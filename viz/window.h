@@ -1,6 +1,7 @@
 // The viewer's window: panes around one controller.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <functional>
@@ -17,6 +18,7 @@
 #include "viz/image_pane.h"
 #include "viz/numbers_pane.h"
 #include "viz/scene_pane.h"
+#include "viz/screen.h"
 #include "viz/strip_pane.h"
 #include "viz/style.h"
 #include "viz/title_pane.h"
@@ -29,7 +31,7 @@ class Window
 {
 public:
     /// Needs a display. `onScreen`: it is shown and can be used.
-    Window(Controller& shown, int width, int height, bool onScreen);
+    Window(Controller& shown, const WindowPlace& place, bool onScreen);
     ~Window();
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
@@ -42,6 +44,8 @@ public:
     Image picture();
     void resize(int width, int height);
     std::array<int, 2> size() const { return {width, height}; }
+    /// Of what is drawn, at least 1: pixels of the window for each pixel of the design.
+    double pixelScale() const { return std::max(1.0, drawnScale); }
 
     /// What key e does, if anything.
     std::function<void()> exportAll;
@@ -85,6 +89,8 @@ private:
     vtkSmartPointer<vtkRenderWindowInteractor> interactor;
     vtkNew<Style> style;
     int width, height;
+    double scale;          // that was asked for
+    double drawnScale = 1; // what the window's size makes of it
     Look dressedFor;
     PaneId whole = PaneId::none; // enlarged by the user
     LayoutWishes laidOut;

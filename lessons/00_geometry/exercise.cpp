@@ -1,8 +1,11 @@
 #include "exercise.h"
+#include "common/guarded_main.h"
 #include "lessons/00_geometry/tutorial.h"
 
 int main(int argc, char** argv)
 {
     using namespace rt;
-    return lesson00::geometryMain(lesson00::functionsOf<exercise00::Geometry>(), "exercise00", nullptr, argc, argv);
+    return guarded(argv, [&] {
+        return lesson00::geometryMain(lesson00::functionsOf<exercise00::Geometry>(), "exercise00", nullptr, argc, argv);
+    });
 }

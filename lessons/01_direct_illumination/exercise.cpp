@@ -1,12 +1,15 @@
 #include "exercise.h"
 #include "common/exercise_entry.h"
+#include "common/guarded_main.h"
 #include "lessons/exercise_main.h"
 #include "lessons/facts.h"
 
 int main(int argc, char** argv)
 {
     using namespace rt;
-    return exerciseMain(
-        exerciseEntry<1, exercise01::Tracer>(lessonFacts(1), "lessons/01_direct_illumination/exercise.h"),
-        exerciseFormulas<exercise01::Tracer>(), argc, argv);
+    return guarded(argv, [&] {
+        return exerciseMain(
+            exerciseEntry<1, exercise01::Tracer>(lessonFacts(1), "lessons/01_direct_illumination/exercise.h"),
+            exerciseFormulas<exercise01::Tracer>(), argc, argv);
+    });
 }

@@ -1,11 +1,14 @@
 #include "exercise.h"
 #include "common/exercise_entry.h"
+#include "common/guarded_main.h"
 #include "lessons/exercise_main.h"
 #include "lessons/facts.h"
 
 int main(int argc, char** argv)
 {
     using namespace rt;
-    return exerciseMain(exerciseEntry<2, exercise02::Tracer>(lessonFacts(2), "lessons/02_mirrors/exercise.h"),
-                        exerciseFormulas<exercise02::Tracer>(), argc, argv);
+    return guarded(argv, [&] {
+        return exerciseMain(exerciseEntry<2, exercise02::Tracer>(lessonFacts(2), "lessons/02_mirrors/exercise.h"),
+                            exerciseFormulas<exercise02::Tracer>(), argc, argv);
+    });
 }

@@ -1,12 +1,15 @@
 #include "exercise.h"
 #include "common/exercise_entry.h"
+#include "common/guarded_main.h"
 #include "lessons/exercise_main.h"
 #include "lessons/facts.h"
 
 int main(int argc, char** argv)
 {
     using namespace rt;
-    return exerciseMain(
-        exerciseEntry<3, exercise03::Tracer>(lessonFacts(3), "lessons/03_partial_reflection/exercise.h"),
-        exerciseFormulas<exercise03::Tracer>(), argc, argv);
+    return guarded(argv, [&] {
+        return exerciseMain(
+            exerciseEntry<3, exercise03::Tracer>(lessonFacts(3), "lessons/03_partial_reflection/exercise.h"),
+            exerciseFormulas<exercise03::Tracer>(), argc, argv);
+    });
 }

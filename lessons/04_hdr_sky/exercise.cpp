@@ -1,11 +1,14 @@
 #include "exercise.h"
 #include "common/exercise_entry.h"
+#include "common/guarded_main.h"
 #include "lessons/exercise_main.h"
 #include "lessons/facts.h"
 
 int main(int argc, char** argv)
 {
     using namespace rt;
-    return exerciseMain(exerciseEntry<4, exercise04::Tracer>(lessonFacts(4), "lessons/04_hdr_sky/exercise.h"),
-                        exerciseFormulas<exercise04::Tracer>(), argc, argv);
+    return guarded(argv, [&] {
+        return exerciseMain(exerciseEntry<4, exercise04::Tracer>(lessonFacts(4), "lessons/04_hdr_sky/exercise.h"),
+                            exerciseFormulas<exercise04::Tracer>(), argc, argv);
+    });
 }

@@ -1,10 +1,21 @@
+#include "common/guarded_main.h"
 #include "lessons/entries.h"
 #include "lessons/lesson_main.h"
 #include "make_sky.h"
 
-int main(int argc, char** argv)
+namespace
+{
+
+int run(int argc, char** argv)
 {
     const rt::ExtraOption makeSky{"--make-sky", "FILE", "write a HDR sky (.hdr, .exr) for [sky] image, and stop",
                                   [](const std::string& file) { rt::writeImage(rt::makeSky(128), file); }};
     return rt::lessonMain(rt::lesson04::entry, argc, argv, {makeSky});
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    return rt::guarded(argv, [&] { return run(argc, argv); });
 }

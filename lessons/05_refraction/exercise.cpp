@@ -1,11 +1,14 @@
 #include "exercise.h"
 #include "common/exercise_entry.h"
+#include "common/guarded_main.h"
 #include "lessons/exercise_main.h"
 #include "lessons/facts.h"
 
 int main(int argc, char** argv)
 {
     using namespace rt;
-    return exerciseMain(exerciseEntry<5, exercise05::Tracer>(lessonFacts(5), "lessons/05_refraction/exercise.h"),
-                        exerciseFormulas<exercise05::Tracer>(), argc, argv);
+    return guarded(argv, [&] {
+        return exerciseMain(exerciseEntry<5, exercise05::Tracer>(lessonFacts(5), "lessons/05_refraction/exercise.h"),
+                            exerciseFormulas<exercise05::Tracer>(), argc, argv);
+    });
 }

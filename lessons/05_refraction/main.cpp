@@ -1,7 +1,8 @@
+#include "common/guarded_main.h"
 #include "lessons/entries.h"
 #include "lessons/lesson_main.h"
 
 int main(int argc, char** argv)
 {
-    return rt::lessonMain(rt::lesson05::entry, argc, argv);
+    return rt::guarded(argv, [&] { return rt::lessonMain(rt::lesson05::entry, argc, argv); });
 }

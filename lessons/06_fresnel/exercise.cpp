@@ -1,11 +1,14 @@
 #include "exercise.h"
 #include "common/exercise_entry.h"
+#include "common/guarded_main.h"
 #include "lessons/exercise_main.h"
 #include "lessons/facts.h"
 
 int main(int argc, char** argv)
 {
     using namespace rt;
-    return exerciseMain(exerciseEntry<6, exercise06::Tracer>(lessonFacts(6), "lessons/06_fresnel/exercise.h"),
-                        exerciseFormulas<exercise06::Tracer>(), argc, argv);
+    return guarded(argv, [&] {
+        return exerciseMain(exerciseEntry<6, exercise06::Tracer>(lessonFacts(6), "lessons/06_fresnel/exercise.h"),
+                            exerciseFormulas<exercise06::Tracer>(), argc, argv);
+    });
 }

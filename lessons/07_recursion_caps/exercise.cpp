@@ -1,11 +1,15 @@
 #include "exercise.h"
 #include "common/exercise_entry.h"
+#include "common/guarded_main.h"
 #include "lessons/exercise_main.h"
 #include "lessons/facts.h"
 
 int main(int argc, char** argv)
 {
     using namespace rt;
-    return exerciseMain(exerciseEntry<7, exercise07::Tracer>(lessonFacts(7), "lessons/07_recursion_caps/exercise.h"),
-                        exerciseFormulas<exercise07::Tracer>(), argc, argv);
+    return guarded(argv, [&] {
+        return exerciseMain(
+            exerciseEntry<7, exercise07::Tracer>(lessonFacts(7), "lessons/07_recursion_caps/exercise.h"),
+            exerciseFormulas<exercise07::Tracer>(), argc, argv);
+    });
 }

@@ -1,11 +1,14 @@
 #include "exercise.h"
 #include "common/exercise_entry.h"
+#include "common/guarded_main.h"
 #include "lessons/exercise_main.h"
 #include "lessons/facts.h"
 
 int main(int argc, char** argv)
 {
     using namespace rt;
-    return exerciseMain(exerciseEntry<8, exercise08::Tracer>(lessonFacts(8), "lessons/08_phong/exercise.h"),
-                        exerciseFormulas<exercise08::Tracer>(), argc, argv);
+    return guarded(argv, [&] {
+        return exerciseMain(exerciseEntry<8, exercise08::Tracer>(lessonFacts(8), "lessons/08_phong/exercise.h"),
+                            exerciseFormulas<exercise08::Tracer>(), argc, argv);
+    });
 }

@@ -166,7 +166,7 @@ struct Tracer
         if (f == 0 || !(NL > 0)) return positive(NL);
         const vec3 R = 2 * NL * N - L;
         const Real VR = std::min(Real(1), positive(dot(V, R))); // rounding may lift a cosine above 1
-        return (1 - f) * NL + f * std::pow(VR, mat.exponent);
+        return (1 - f) * NL + f * portable::pow(VR, mat.exponent);
         // END
     }
 

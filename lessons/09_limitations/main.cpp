@@ -1,6 +1,7 @@
+#include "common/guarded_main.h"
 #include "pairs.h"
 
 int main(int argc, char** argv)
 {
-    return rt::lesson09::limitationsMain(argc, argv);
+    return rt::guarded(argv, [&] { return rt::lesson09::limitationsMain(argc, argv); });
 }

@@ -90,6 +90,7 @@ Image referencePicture(const SceneDescription& description, const Limitation& li
     const auto stopped = [&] { return options.stop && *options.stop; };
     std::atomic<int> next = 0, done = 0;
     const auto work = [&] {
+        const TraceLimit limit(options.stop);
         for (int y; (y = next++) < image.height && !stopped();)
         {
             for (int x = 0; x < image.width && !stopped(); ++x) image.at(x, y) = pixel(x, y);
@@ -99,7 +100,14 @@ Image referencePicture(const SceneDescription& description, const Limitation& li
     const int threads = options.threads > 0 ? options.threads : std::max(1, int(std::thread::hardware_concurrency()));
     std::vector<std::future<void>> workers;
     for (int i = 0; i < threads; ++i) workers.push_back(std::async(std::launch::async, work));
-    for (auto& worker : workers) worker.get();
+    for (auto& worker : workers) try
+        {
+            worker.get();
+        }
+        catch (const Stopped&)
+        {
+            // The caller knows; the others stop as well.
+        }
     return image;
 }
 

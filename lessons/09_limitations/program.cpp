@@ -4,6 +4,7 @@
 
 #include "common/cli.h"
 #include "common/scene_file.h"
+#include "common/tree_growth.h"
 #include "lessons/entries.h"
 #include "lessons/facts.h"
 #include "pairs.h"
@@ -90,6 +91,8 @@ int run(const Options& options)
         if (own.scene.empty()) own.scene = projectFile(limitation->scene);
         scenes.push_back(loadScene(own));
         checkModels(lesson08::entry, scenes.back(), false);
+        const auto warning = growthWarning(scenes.back(), lesson08::entry.models);
+        if (!warning.empty()) std::cerr << warning << '\n';
         pictures.push_back({{}, options.out.empty() ? fmt::format("lesson09_{}.png", limitation->name) : options.out});
         checkWritable(pictures.back().path);
     }
@@ -97,11 +100,7 @@ int run(const Options& options)
     for (std::size_t i = 0; i < wanted.size(); ++i)
     {
         pictures[i].image = pair(scenes[i], *wanted[i], options);
-        if (interrupted())
-        {
-            std::cerr << "interrupted: nothing was written\n";
-            return exitInterrupted;
-        }
+        if (interrupted()) return sayInterrupted();
     }
     for (std::size_t i = 0; i < wanted.size(); ++i)
     {

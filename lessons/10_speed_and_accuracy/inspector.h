@@ -52,10 +52,12 @@ struct Inspector : NoRecorder
         const Place& place = (*path)[std::size_t(depth)];
         const Point<long double> I{Vec3<long double>(place.I), place.on};
         const Vec3<long double> way = Vec3<long double>(light.position) - I;
+        uncountRay();
         const bool truth = !judge->occluded(I, unit(way), length(way));
         if (visible && !truth) ++facts->leaks;
         if (!visible && truth)
         {
+            uncountRay();
             const auto blocker = world->intersect(Ray<Real>{.O = start, .D = L, .from = start.on});
             if (blocker && blocker->I.on == place.on) ++facts->acne;
         }
@@ -65,6 +67,7 @@ private:
     void compare(const Vec3<Real>& D, const std::optional<Hit<Real>>& hit)
     {
         const Place& start = (*path)[std::size_t(depth) - 1];
+        uncountRay();
         const auto truth = judge->intersect(
             Ray<long double>{.O = Vec3<long double>(start.I), .D = unit(Vec3<long double>(D)), .from = start.on});
         const bool nearer = hit && (!truth || 2 * hit->t < truth->t);

@@ -1,6 +1,7 @@
+#include "common/guarded_main.h"
 #include "exhibits.h"
 
 int main(int argc, char** argv)
 {
-    return rt::lesson10::exhibitsMain(argc, argv);
+    return rt::guarded(argv, [&] { return rt::lesson10::exhibitsMain(argc, argv); });
 }

@@ -45,17 +45,26 @@ std::size_t stackOf(const SceneDescription& description)
     StackRecorder recorder;
     recorder.places = &places;
     recorder.most = &most;
+    const TraceLimit limit(nullptr);
     Tracer<double, StackRecorder> tracer{scene, recorder};
     for (int y = 0; y < description.camera.height; y += 4)
-        for (int x = 0; x < description.camera.width; x += 4) tracer.trace(scene.camera.ray(x, y));
+        for (int x = 0; x < description.camera.width; x += 4) try
+            {
+                beginCameraRay();
+                tracer.trace(scene.camera.ray(x, y));
+            }
+            catch (const TooManyRays&)
+            {
+                throw TooManyRays(pixelText(x, y), description.trace.maxDepth);
+            }
     return most;
 }
 
-Pass timed(const LessonEntry& lesson, const SceneDescription& scene)
+Pass timed(const LessonEntry& lesson, const SceneDescription& scene, const std::atomic<bool>& stop)
 {
     Pass pass;
     const double start = threadSeconds();
-    pass.image = lesson.render(scene, Precision::doubled, {.threads = 1, .progress = {}});
+    pass.image = lesson.render(scene, Precision::doubled, {.threads = 1, .progress = {}, .stop = &stop});
     pass.cpuSeconds = threadSeconds() - start;
     return pass;
 }
@@ -107,7 +116,7 @@ std::optional<ModelledScene> model(const SceneDescription& scene, bool ladder, i
         {
             if (stop) return std::nullopt;
             const std::size_t turn = (i + std::size_t(round)) % entries.size(); // nobody always comes first
-            Pass pass = timed(*entries[turn], scene);
+            Pass pass = timed(*entries[turn], scene, stop);
             result.lessons[turn].cpuSeconds = std::min(result.lessons[turn].cpuSeconds, pass.cpuSeconds);
             images[turn] = std::move(pass.image);
         }

@@ -75,11 +75,7 @@ int run(const Options& options)
         const RenderOptions render{.threads = options.threads, .progress = {}, .stop = &interrupted()};
         const auto half = [&](const Setting& setting) { return prepare(scene, setting)->render(render); };
         image = lesson09::sideBySide(half(exhibit->poorSetting), half(exhibit->goodSetting));
-        if (interrupted())
-        {
-            std::cerr << "interrupted: nothing was written\n";
-            return exitInterrupted;
-        }
+        if (interrupted()) return sayInterrupted();
         poor = countFault(scene, *exhibit, exhibit->poorSetting);
         good = countFault(scene, *exhibit, exhibit->goodSetting);
         if (bar) bar(double(i + 1) / double(pairs.size()));

@@ -48,10 +48,11 @@ public:
     {
         Pass pass{Image(width, (height + stride - 1) / stride)};
         const double start = threadSeconds();
+        const TraceLimit limit(&stop);
         Fast tracer{world};
-        for (int y = 0; y < pass.image.height && !stop; ++y)
-            for (int x = 0; x < width; ++x)
-                pass.image.at(x, y) = Vec3<double>(renderPixel<Fast, Real>(world, tracer, x, y * stride, spp));
+        eachPixel(stride, stop, [&](int x, int row) {
+            pass.image.at(x, row) = Vec3<double>(renderPixel<Fast, Real>(world, tracer, x, row * stride, spp));
+        });
         pass.cpuSeconds = threadSeconds() - start;
         return pass;
     }
@@ -76,33 +77,53 @@ public:
         if (judge) exact.emplace(description);
         std::vector<PixelFacts> all;
         std::vector<typename Inspector<World>::Place> path;
+        const TraceLimit limit(&stop);
         try
         {
-            for (int y = 0; y < height && !stop; y += stride)
-                for (int x = 0; x < width; ++x)
+            eachPixel(stride, stop, [&](int x, int row) {
+                PixelFacts facts, others;
+                Counted inspector;
+                inspector.world = &world;
+                inspector.path = &path;
+                inspector.left = &mostRays;
+                for (int i = 0; i < spp; ++i)
                 {
-                    PixelFacts facts, others;
-                    Counted inspector;
-                    inspector.world = &world;
-                    inspector.path = &path;
-                    inspector.left = &mostRays;
-                    for (int i = 0; i < spp; ++i)
-                    {
-                        inspector.facts = i == 0 ? &facts : &others;
-                        inspector.judge = i == 0 && exact ? &*exact : nullptr;
-                        Tracer<Real, World, Counted> tracer{world, inspector};
-                        const auto [u, v] = samplePosition<Real>(i);
-                        tracer.trace(world.camera.ray(Real(x) + u, Real(y) + v));
-                    }
-                    facts.rays += others.rays;
-                    all.push_back(facts);
+                    inspector.facts = i == 0 ? &facts : &others;
+                    inspector.judge = i == 0 && exact ? &*exact : nullptr;
+                    Tracer<Real, World, Counted> tracer{world, inspector};
+                    const auto [u, v] = samplePosition<Real>(i);
+                    beginCameraRay();
+                    tracer.trace(world.camera.ray(Real(x) + u, Real(row * stride) + v));
                 }
+                facts.rays += others.rays;
+                all.push_back(facts);
+            });
         }
         catch (const TooMany&)
         {
             return std::nullopt;
         }
         return all;
+    }
+
+private:
+    /// Calls visit(x, y / stride) for every `stride`th row, until `stop` is set. Throws TooManyRays, with the pixel.
+    template <class Visit>
+    void eachPixel(int stride, const std::atomic<bool>& stop, const Visit& visit) const
+    {
+        int x = 0, y = 0;
+        try
+        {
+            for (y = 0; y < height && !stop; y += stride)
+                for (x = 0; x < width; ++x) visit(x, y / stride);
+        }
+        catch (const Stopped&)
+        {
+        }
+        catch (const TooManyRays&)
+        {
+            throw TooManyRays(pixelText(x, y), description.trace.maxDepth);
+        }
     }
 };
 

@@ -103,8 +103,7 @@ struct Progressing
 
 int stopped()
 {
-    std::cerr << "\ninterrupted: nothing was written\n";
-    return exitInterrupted;
+    return sayInterrupted("\ninterrupted: nothing was written");
 }
 
 SceneDescription load(const Options& options, const std::string& file)

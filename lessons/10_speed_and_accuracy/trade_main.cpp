@@ -1,6 +1,7 @@
+#include "common/guarded_main.h"
 #include "trade.h"
 
 int main(int argc, char** argv)
 {
-    return rt::lesson10::tradeMain(argc, argv);
+    return rt::guarded(argv, [&] { return rt::lesson10::tradeMain(argc, argv); });
 }

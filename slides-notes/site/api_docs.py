@@ -3,7 +3,6 @@ others. A page a header."""
 import hashlib
 import html
 import re
-import subprocess
 import tempfile
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
@@ -35,7 +34,7 @@ INLINE = {"computeroutput": "code", "bold": "b", "emphasis": "em", "superscript"
 SKIPPED = {"private"}
 
 
-def read(cache):
+def read(cache, children):
     """The folder with Doxygen's XML of the headers as they are now."""
     headers = sorted((ROOT / "common").glob("*.h"))
     key = hashlib.sha256((SETTINGS + "".join(header.name + digest(header) for header in headers)).encode()).hexdigest()[:32]
@@ -46,7 +45,7 @@ def read(cache):
     with tempfile.TemporaryDirectory(dir=cache) as place:
         settings = SETTINGS.format(headers=" ".join(str(header.relative_to(ROOT)) for header in headers), out=place, root=ROOT)
         try:
-            done = subprocess.run(["doxygen", "-"], input=settings, capture_output=True, text=True, cwd=ROOT, check=False)
+            done = children.run(["doxygen", "-"], input=settings, text=True, cwd=ROOT)
         except FileNotFoundError:
             raise SiteError("doxygen is missing; install it, or leave these pages out with --no-api") from None
         if done.returncode:
@@ -152,7 +151,7 @@ def members_of(compound, kinds=("function", "variable", "enum", "typedef")):
 
 
 def write(site):
-    folder = read(site.cache)
+    folder = read(site.cache, site.children)
     compounds = [ElementTree.parse(folder / f"{one.get('refid')}.xml").getroot()[0]
                  for one in ElementTree.parse(folder / "index.xml").getroot() if one.get("kind") != "dir"]
     types = [c for c in compounds if c.get("kind") in ("struct", "class", "concept") and c.get("prot") not in SKIPPED]

@@ -15,11 +15,14 @@ import tempfile
 import time
 
 sys.dont_write_bytecode = True
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "common"))
 try:
+    from children import Children, ignore_signals, raise_at_signals
     from site_builder import Site
     from course import ROOT, SiteError
 except ImportError as error:
-    sys.exit(f"raytree notes: {error}; the package is in the list site_packages of ./raytree")
+    print(f"raytree notes: {error}; the package is in the list site_packages of ./raytree", file=sys.stderr)
+    sys.exit(2)
 
 MARKER = ".raytree-site"  # says that a folder is a site, and ours to replace
 
@@ -55,6 +58,8 @@ def main():
     parser.add_argument("--programs", type=pathlib.Path, default=ROOT / "build/release/bin", help=argparse.SUPPRESS)
     parser.add_argument("--cache", type=pathlib.Path, default=ROOT / "build/release/site", help=argparse.SUPPRESS)
     given = parser.parse_args()
+    children = Children()
+    raise_at_signals(children)
     started, out = time.time(), given.out.resolve()
     try:
         check_place(out)
@@ -62,9 +67,13 @@ def main():
         with tempfile.TemporaryDirectory(prefix=f".{out.name}-", dir=out.parent) as folder:
             built = pathlib.Path(folder) / "site"
             built.mkdir()
-            count = Site(built, given.programs.resolve(), given.cache.resolve(), given.draft, not given.no_api, say).build()
+            api = not given.no_api and bool(shutil.which("doxygen"))
+            if not api and not given.no_api:
+                say("without the functions of common/: doxygen is not installed")
+            count = Site(built, given.programs.resolve(), given.cache.resolve(), given.draft, api, say, children).build()
             (built / MARKER).write_text("")
             built.chmod(0o755)
+            ignore_signals()
             replace(built, out)
     except SiteError as error:
         say(error)

@@ -41,8 +41,8 @@ class Exhibit:
 
 
 class Exhibits:
-    def __init__(self, programs, cache, draft):
-        self.programs, self.cache, self.draft = programs, cache, draft
+    def __init__(self, programs, cache, draft, children):
+        self.programs, self.cache, self.draft, self.children = programs, cache, draft, children
         self.wanted = {}  # target -> Exhibit
 
     def add(self, exhibit):
@@ -152,8 +152,7 @@ class Exhibits:
             words = [str(part) if word == "OUT" else word for word in exhibit.made if word != "STDOUT"]
         shown = f"{exhibit.program} {' '.join(exhibit.made)}"
         try:
-            done = subprocess.run([self.programs / exhibit.program, *words], cwd=ROOT, capture_output=True, text=True,
-                                  timeout=SECONDS, check=False)
+            done = self.children.run([self.programs / exhibit.program, *words], cwd=ROOT, text=True, timeout=SECONDS)
         except subprocess.TimeoutExpired:
             raise SiteError(f"{shown}: not done after {SECONDS} s") from None
         if done.returncode:

@@ -11,7 +11,8 @@ MODULES = "/usr/share/nodejs"  # where Debian's packages put them
 
 
 class Formulas:
-    def __init__(self):
+    def __init__(self, children):
+        self.children = children
         self.waiting = {}  # (tex, display) -> (number, where it stands first)
 
     def add(self, tex, display, where):
@@ -23,8 +24,9 @@ class Formulas:
         """Raises SiteError with the place of the first formula that KaTeX does not understand."""
         formulas = list(self.waiting)
         try:
-            done = subprocess.run(["node", SCRIPT], input=json.dumps(formulas), capture_output=True, text=True, check=True,
-                                  env={"NODE_PATH": MODULES, "PATH": "/usr/local/bin:/usr/bin:/bin"})
+            done = self.children.run(["node", SCRIPT], input=json.dumps(formulas), text=True,
+                                     env={"NODE_PATH": MODULES, "PATH": "/usr/local/bin:/usr/bin:/bin"})
+            done.check_returncode()
         except (OSError, subprocess.CalledProcessError) as error:
             reason = (getattr(error, "stderr", "") or str(error)).strip().splitlines()
             raise SiteError(f"KaTeX could not be run: {next((line for line in reason if 'Error' in line), reason[-1])}") from None

@@ -1,8 +1,8 @@
 """All pages, from texts and programs to files."""
 import hashlib
+import os
 import re
 import shutil
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
@@ -24,9 +24,9 @@ FONTS = {"/usr/share/fonts-sil-charis/woff2": ["CharisSIL-Regular.woff2", "Chari
 
 
 class Site:
-    def __init__(self, out, programs, cache, draft, api, say):
-        self.out, self.cache, self.say, self.api = out, cache, say, api
-        self.exhibits, self.formulas = Exhibits(programs, cache, draft), Formulas()
+    def __init__(self, out, programs, cache, draft, api, say, children):
+        self.out, self.cache, self.say, self.api, self.children = out, cache, say, api, children
+        self.exhibits, self.formulas = Exhibits(programs, cache, draft, children), Formulas(children)
         self.groups = navigation(api)
         self.order = [page for _, pages in self.groups for page in pages]
         self.by_source = {page.source: page for page in self.order if page.source and page.kind != "speed"}
@@ -99,10 +99,13 @@ class Site:
         folder = self.out / "assets"
         shutil.copytree(HERE / "assets", folder)
         (folder / "fonts").mkdir()
-        try:
-            for place, names in FONTS.items():
+        for place, names in FONTS.items():
+            if all(Path(place, name).is_file() for name in names):
                 for name in names:
                     shutil.copyfile(f"{place}/{name}", folder / "fonts" / name)
+            else:
+                self.say(f"without the fonts of {place}, which are not installed: browsers take others")
+        try:
             css = open(KATEX).read()
             # One format is enough: every browser of the last ten years reads it.
             css = re.sub(r'src:url\(fonts/([\w-]+)\.woff2\) format\("woff2"\)[^}]*', r'src:url(fonts/\1.woff2) format("woff2")', css)
@@ -124,7 +127,11 @@ class Site:
                 self.cache.mkdir(parents=True, exist_ok=True)
                 with tempfile.TemporaryDirectory(dir=self.cache) as folder:
                     part = Path(folder) / "widgets"
-                    done = subprocess.run([sys.executable, "-B", source / "build.py", part], capture_output=True, text=True, check=False)
+                    done = self.children.run([sys.executable, "-B", source / "build.py", part], text=True,
+                                             env={**os.environ, "TMPDIR": folder})
+                    if done.returncode == 3:  # a package is missing
+                        self.say(f"without widgets: {done.stderr.strip().removeprefix('build.py: ')}")
+                        return False
                     if done.returncode:
                         raise SiteError(f"widgets: {(done.stderr.strip() or 'build.py failed').splitlines()[0]}")
                     part.rename(made)

@@ -1,5 +1,7 @@
 #include "common/cli.h"
 
+#include <cstdlib>
+
 #include <gtest/gtest.h>
 
 #include "common/picture_module.h"
@@ -13,6 +15,7 @@ namespace
 TEST(RunMain, HasACodeOfItsOwnForWhatNeedsOpenImageIO)
 {
     CLI::App app("a program", "program");
+    unsetenv("RAYTREE_DOOR");
     char name[] = "program";
     char* argv[] = {name, nullptr};
     testing::internal::CaptureStderr();

@@ -26,7 +26,7 @@ READ = [ROOT / "README.md", *sorted(NOTES.glob("*.md")), *(lesson / "README.md" 
 DECIMAL = re.compile(r"(?<![\w.])\d+\.\d+(?:e-?\d+)?(?![\w.]*\d)|(?<![\w.])\d+e-\d+")
 PRINTED = re.compile(r"(?<![\w.])\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 NOT_TEXT = r"\\\\\[[\d.]+em\]|`[^`]*`|\]\([^)]*\)|<!--.*?-->"  # gaps of formulas, code, where links lead, directives
-SECONDS = 20
+SECONDS = 600  # only what hangs takes that
 
 
 def scene_with(edit, place, call):

@@ -7,10 +7,11 @@ import re
 import shlex
 import sys
 
+import texts as project
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 NOTES = ROOT / "slides-notes"
 LESSONS = sorted(ROOT.glob("lessons/[0-9][0-9]_*"))
-SKIPPED = {"build", "out"}
 problems = []
 
 # The headings of the lecture's slides in their order, and what its three pseudocode slides leave to do. A row of
@@ -68,11 +69,9 @@ def name(path):
 
 
 def texts():
-    """All Markdown files of the project."""
-    for path in sorted(ROOT.rglob("*.md")):
-        parts = path.relative_to(ROOT).parts
-        if not any(part in SKIPPED or part.startswith(".") for part in parts[:-1]):
-            yield path
+    """All Markdown files of the project, and none that a user has beside them."""
+    yield from sorted([ROOT / file for file in project.FILES if file.endswith(".md")]
+                      + [path for folder in project.FOLDERS for path in (ROOT / folder).rglob("*.md")])
 
 
 def prose(text):

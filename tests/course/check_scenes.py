@@ -13,21 +13,22 @@ import subprocess
 import sys
 import tempfile
 
-from texts import ROOT, finish, name, problem
+from texts import FOLDERS, ROOT, finish, name, problem
 
 BIN = pathlib.Path(sys.argv[1]).resolve()
 SIZE = "32x24"
 
 
 def scenes():
-    """Files with a camera or objects: all .toml files below a folder scenes/, wherever it is."""
-    return sorted(path for path in ROOT.rglob("scenes/*.toml") if "build" not in path.relative_to(ROOT).parts)
+    """Files with a camera or objects: all .toml files of the project below a folder scenes/, wherever it is. A class's marks, which
+    have such folders too, are not the project's."""
+    return sorted(path for folder in FOLDERS for path in (ROOT / folder).rglob("scenes/*.toml"))
 
 
 def check(scene):
     with tempfile.TemporaryDirectory() as folder:
         picture = pathlib.Path(folder) / "p.ppm"
-        done = subprocess.run([str(BIN / "render"), str(scene), "--size", SIZE, "--out", str(picture), "--tree", "json"], capture_output=True, timeout=60)
+        done = subprocess.run([str(BIN / "render"), str(scene), "--size", SIZE, "--out", str(picture), "--tree", "json"], capture_output=True, timeout=600)
         if done.returncode:
             problem(scene, 1, f"does not render: {done.stderr.decode().strip()}")
             return

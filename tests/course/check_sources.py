@@ -3,9 +3,10 @@
 import difflib
 import pathlib
 import re
-import subprocess
 import sys
 import tomllib
+
+import texts
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 LESSONS = sorted(ROOT.glob("lessons/[0-9][0-9]_*"))
@@ -28,7 +29,7 @@ def includes(path):
 def check_arrows():
     """Core headers need glm and the standard library; only viz/ needs VTK; nothing needs tests/; a lesson only lesson.h."""
     core = ["vec", "ray", "hit", "material", "light", "shapes", "camera", "scene", "scene_description", "recorder", "todo",
-            "lesson", "exercise", "tree_recorder", "ray_tree", "image", "sky", "pixel", "bvh", "bvh_build", "lanes",
+            "lesson", "exercise", "portable", "tree_recorder", "ray_tree", "image", "sky", "pixel", "bvh", "bvh_build", "lanes",
             "sphere_search", "triangle_search", "look_ahead", "parallel"]
     for name in core:
         for include in includes(ROOT / f"common/{name}.h"):
@@ -141,15 +142,59 @@ def check_cases_belong_to_exercises():
                             f"its exercises name {sorted(named)}")
 
 
+# Programs without a guard: file -> why. A student's process in the box (*.student.cpp) must end as its code ends it: the grader
+# tells of its death.
+UNGUARDED = {"tests/grade/box/launch_main.cpp": "it calls C only, and becomes another program"}
+
+
+def check_mains():
+    """No program ends by an uncaught exception: all that a main does is to return what common/guarded_main.h guards."""
+    guarded = re.compile(r"int main\(int argc, char\*\* argv\)\n\{\n(?:    using namespace [\w:]+;\n)*    return (?:rt::)?guarded\(\s*argv, .*?\);\n\}\n", re.S)
+    unguarded = set()
+    for path in sorted(p for folder in ("common", "lessons", "viz", "tests", "slides-notes") for p in sources(folder) + list((ROOT / folder).rglob("*.cpp.in"))):
+        name, text = str(path.relative_to(ROOT)), path.read_text()
+        for start in re.finditer(r"^(?:int|auto|void) main\b", text, re.M):
+            if path.name.endswith(".student.cpp") or guarded.match(text, start.start()):
+                continue
+            unguarded.add(name)
+            if name not in UNGUARDED:
+                line = text[:start.start()].count("\n") + 1
+                problems.append(f"{name}:{line}: main may end by an uncaught exception, expected: return rt::guarded(argv, [&] {{ ... }});")
+    for name in sorted(UNGUARDED.keys() - unguarded):
+        problems.append(f"{name} is allowed a main without a guard and has none: take it off the list")
+
+
+PATIENCE = 300  # seconds; a bound of that many says "it hangs" and nothing of speed
+# Comparisons with fewer seconds that say nothing of speed: file -> why.
+OF_LIMITS = {"tests/grade/box/child_test.cpp": "processor time under a limit of one second"}
+
+
+def check_no_seconds():
+    """No test asserts how fast something is: on a slow or busy machine it would fail. Bounds against hanging are large."""
+    compared = [re.compile(r"(?:EXPECT|ASSERT)_L[TE]\(.*(?:[sS]econds|steady_clock|elapsed|[tT]ook)\b.*?, *([\d.]+)\)"),
+                re.compile(r"assertLess(?:Equal)?\(time\.\w+\(\) - \w+, *([\d.]+)"),
+                re.compile(r"(?:check|expect|assert\w*)\(.*time\.(?:time|monotonic|perf_counter)\(\) - \w+ <=? *([\d.]+)"),
+                re.compile(r"\b(?:timeout|seconds)=([\d.]+)\b"), re.compile(r"^(?:PATIENCE|SECONDS) = ([\d.]+)"), re.compile(r"\bwait_for\(([\d.]+)s\)")]
+    found = set()
+    for path in sorted(path for ending in ("cpp", "h", "py") for path in (ROOT / "tests").rglob(f"*.{ending}")):
+        name = str(path.relative_to(ROOT))
+        for number, line in enumerate(path.read_text().splitlines(), 1):
+            if any(float(match[1]) < PATIENCE for pattern in compared for match in pattern.finditer(line)):
+                found.add(name)
+                if name not in OF_LIMITS:
+                    problems.append(f"{name}:{number}: a bound of seconds, expected at least {PATIENCE} or a comparison with another time: {line.strip()}")
+    for name in sorted(OF_LIMITS.keys() - found):
+        problems.append(f"{name} is allowed bounds of seconds and has none: take it off the list")
+
+
 def check_folders():
-    """No folder at the top but those a newcomer is told of. Without git nobody knows which files are the project's."""
-    listed = subprocess.run(["git", "-C", ROOT, "ls-files", "-z"], capture_output=True, text=True, check=False).stdout.split("\0")
-    tops = {path.split("/")[0] for path in listed if "/" in path and not path.startswith(".")}
-    for folder in sorted(tops - {"lessons", "common", "viz", "tests", "slides-notes"}):
-        problems.append(f"{folder}/ is committed: expected lessons, common, viz, tests and slides-notes only")
+    """Nothing at the top but what a newcomer is told of. Without git nobody knows which files are the project's."""
+    tops = {path.split("/")[0] + "/" * ("/" in path) for path in texts.committed() if not path.startswith(".")}
+    for top in sorted(tops - set(texts.FILES) - {folder + "/" for folder in texts.FOLDERS}):
+        problems.append(f"{top} is committed: expected {', '.join(texts.FOLDERS)} and the files in tests/course/texts.py only")
 
 
-for check in (check_folders, check_arrows, check_small_steps, check_no_epsilon, check_lessons_are_complete, check_cases_belong_to_exercises):
+for check in (check_folders, check_mains, check_no_seconds, check_arrows, check_small_steps, check_no_epsilon, check_lessons_are_complete, check_cases_belong_to_exercises):
     check()
 for problem in problems:
     print(problem, file=sys.stderr)

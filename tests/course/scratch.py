@@ -10,12 +10,11 @@ import subprocess
 import sys
 import tempfile
 
-from texts import ROOT
+from texts import FILES, FOLDERS, ROOT
 
 BIN = pathlib.Path(sys.argv.pop(1)).resolve()
-NOT_COPIED = {"build", "out", ".git"}
 STUBS = {
-    "dpkg-query": "echo install ok installed\n",
+    "dpkg-query": 'for package; do echo "$package installed"; done\n',
     "cmake": f'''[ "$1" = --build ] || exit 0
 while [ $# -gt 0 ]; do
     if [ "$1" = --target ] && ! [ -e "{BIN}/$2" ] && ! [ -e "{BIN.parent}/$2" ]; then echo "no target $2" >&2; exit 1; fi
@@ -32,7 +31,11 @@ class Scratch:
         self.place = pathlib.Path(tempfile.mkdtemp(prefix="raytree scratch "))
         self.place.chmod(0o755)  # the grader's sandbox runs as another user
         self.copy = self.place / "copy"
-        shutil.copytree(ROOT, self.copy, ignore=lambda folder, _: NOT_COPIED if pathlib.Path(folder) == ROOT else {"__pycache__"})
+        self.copy.mkdir()
+        for folder in FOLDERS:  # not what else lies in the clone: README's grading section leaves a class, marks and a secret there
+            shutil.copytree(ROOT / folder, self.copy / folder, ignore=shutil.ignore_patterns("__pycache__"))
+        for file in FILES:
+            shutil.copy(ROOT / file, self.copy)
         (self.place / "stubs").mkdir()
         for stub, text in STUBS.items():
             (self.place / "stubs" / stub).write_text("#!/bin/sh\n" + text)
@@ -57,7 +60,7 @@ class Scratch:
         (build / "build.ninja").touch()
         return here
 
-    def run(self, command, here, seconds=120):
+    def run(self, command, here, seconds=600):
         """A line for the shell. Returns (exit code, all output); the exit code is None when the time was over."""
         try:
             done = subprocess.run(["sh", "-c", command], cwd=here, env=self.environment, stdin=subprocess.DEVNULL,

@@ -1,6 +1,7 @@
 """The project's texts and what stands in them, each with its line, for the checks of this folder."""
 import pathlib
 import re
+import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -9,7 +10,19 @@ LESSONS = sorted(ROOT.glob("lessons/[0-9][0-9]_*"))
 # Where readers meet commands and figures.
 READ = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted(NOTES.glob("*.md")), *(lesson / "README.md" for lesson in LESSONS),
         ROOT / "tests/grade/README.md", ROOT / "tests/grade/recipes/README.md"]
+# What the project consists of. Whatever else lies in a user's clone is the user's: a class, marks, a secret, pictures.
+FOLDERS = ("common", "lessons", "slides-notes", "tests", "viz")
+FILES = ("CHANGELOG.md", "CMakeLists.txt", "CMakePresets.json", "CONTRIBUTING.md", "LICENSE", "README.md", "raytree")
 problems = []
+
+
+def committed():
+    """The files that git knows, whoever owns the clone; none without git or where this is no clone."""
+    try:
+        done = subprocess.run(["git", "-c", "safe.directory=*", "-C", ROOT, "ls-files", "-z"], capture_output=True, text=True, check=False)
+    except FileNotFoundError:
+        return []
+    return done.stdout.split("\0")[:-1]
 
 
 def name(path):

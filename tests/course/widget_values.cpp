@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "common/guarded_main.h"
 #include "slides-notes/site/widgets/formulas.cpp"
 
 namespace
@@ -26,9 +27,7 @@ const std::map<std::string, std::pair<std::size_t, void (*)(const Values&)>> fun
     {"phong", {4, [](const Values& v) { phong(v[0], v[1], v[2], v[3]); }}},
 };
 
-} // namespace
-
-int main()
+int run()
 {
     for (std::string text; std::getline(std::cin, text);)
     {
@@ -47,4 +46,12 @@ int main()
         for (int i = 0; i < 16; ++i) std::printf("%a ", results()[i]);
         std::printf("\n");
     }
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    return rt::guarded(argv, [] { return run(); });
 }

@@ -10,7 +10,6 @@ import os
 import pathlib
 import random
 import re
-import shutil
 import struct
 import subprocess
 import sys
@@ -20,8 +19,9 @@ import zlib
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 WIDGETS = ROOT / "slides-notes/site/widgets"
-sys.path.insert(0, str(WIDGETS))
-import build # noqa: E402
+sys.path[:0] = [str(WIDGETS), str(ROOT / "tests")]
+import browser  # noqa: E402
+import build  # noqa: E402
 
 # For each number of a widget: which of its function's results it is, and which one says that it exists.
 SHOWN = {
@@ -42,16 +42,12 @@ EXACT = {"line", "partial", "bowling", "cap"}
 # cos2 > 0.009), by 1 / sin for the angle between nearly parallel vectors, in degrees: below 1e-6 where acos(1) is concerned.
 TOLERANCE = {"default": 1e-12, "angle": 2e-6, "angle2": 2e-6}
 
-try:
-    from selenium import webdriver
-    from selenium.webdriver.chrome.options import Options
-    from selenium.webdriver.chrome.service import Service
-    from selenium.webdriver.common.action_chains import ActionChains
-    from selenium.webdriver.common.by import By
-    from selenium.webdriver.common.keys import Keys
-except ImportError:
-    print("skipped: python3-selenium is not installed")
+if browser.missing():
+    print(f"skipped: {browser.missing()}")
     sys.exit(77)
+from selenium.webdriver.common.action_chains import ActionChains  # noqa: E402
+from selenium.webdriver.common.by import By  # noqa: E402
+from selenium.webdriver.common.keys import Keys  # noqa: E402
 
 problems = []
 
@@ -86,12 +82,7 @@ def write_pages(folder):
 
 class Browser:
     def __init__(self, folder):
-        options = Options()
-        options.binary_location = shutil.which("chromium")
-        for argument in ("--headless=new", "--hide-scrollbars", "--disable-gpu", *["--no-sandbox"] * (os.geteuid() == 0)):
-            options.add_argument(argument)
-        options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
-        self.driver = webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
+        self.driver = browser.start("browser")
         self.folder = folder
 
     def open(self, page="page", width=1280, theme="dark", height=800):
@@ -105,6 +96,13 @@ class Browser:
 
     def run(self, script, *arguments):
         return self.driver.execute_script(script, *arguments)
+
+    def wait(self, script, holds):
+        """What the script returns, as soon as that is what it should be; only what hangs takes all of the time."""
+        end = time.monotonic() + browser.PATIENCE
+        while not holds(value := self.run(script)) and time.monotonic() < end:
+            time.sleep(0.05)
+        return value
 
     def pixels(self, css, places):
         """The colours of an element as drawn, at shares of its width, in the middle of its height."""
@@ -215,8 +213,9 @@ def check_controls(b):
                 check(after[k] != before[k], f"{where}: an arrow key does not change its {what} {before[k] if k < 3 else ''}")
             check((after[0] > before[0]) == up, f"{where}: an arrow key goes from {before[0]} to {after[0]}")
             equal(b.run("return arguments[0].getAttribute('aria-valuetext')", field), after[1], f"{where}: spoken value")
-    time.sleep(0.7)
-    spoken = b.run("return [...document.querySelectorAll('.widget')].map((w) => [w.querySelector('.widget-aloud').textContent, w.querySelector('.widget-says').textContent, w.querySelector('svg').getAttribute('aria-label')])")
+    # What is spoken waits until nothing changes any more.
+    words = "return [...document.querySelectorAll('.widget')].map((w) => [w.querySelector('.widget-aloud').textContent, w.querySelector('.widget-says').textContent, w.querySelector('svg').getAttribute('aria-label')])"
+    spoken = b.wait(words, lambda spoken: all(one[0] == one[1] for one in spoken))
     for name, (aloud, says, drawing) in zip(SHOWN, spoken, strict=True):
         check(aloud and aloud == says == drawing, f"{name}: spoken {aloud!r}, seen {says!r}, drawing {drawing!r}")
 
@@ -307,9 +306,9 @@ def check_old_browsers(b):
     for script, ready, what in ((later, True, "compiling later"), ("delete window.WebAssembly;", False, "without WebAssembly")):
         added = b.driver.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", {"source": script})["identifier"]
         b.open()
-        time.sleep(0.2)
+        places = b.wait("return [...document.querySelectorAll('.widget')].map((w) => [w.dataset.ready === 'yes', w.textContent])",
+                        lambda places: all(is_ready == ready and ("cannot run here" in text) != ready for is_ready, text in places))
         b.driver.execute_cdp_cmd("Page.removeScriptToEvaluateOnNewDocument", {"identifier": added})
-        places = b.run("return [...document.querySelectorAll('.widget')].map((w) => [w.dataset.ready === 'yes', w.textContent])")
         for name, (is_ready, text) in zip(SHOWN, places, strict=True):
             check(is_ready == ready and ("cannot run here" in text) != ready, f"{what}: {name}: {text[:80]}")
         check(b.run("return !!document.querySelector('.slider-stack')"), f"{what}: no slider")
@@ -329,10 +328,6 @@ def take_shots(b, folder):
 
 
 def main():
-    for program in ("chromium", "chromedriver"):
-        if not shutil.which(program):
-            print(f"skipped: {program} is not installed")
-            return 77
     if missing := build.missing():
         print(f"skipped: {missing}")
         return 77

@@ -61,6 +61,11 @@ std::vector<Submission> partOf(const std::vector<Submission>& all, const Shard& 
 
 } // namespace
 
+std::size_t countOf(const std::vector<Submission>& all, const Shard& shard)
+{
+    return partOf(all, shard).size();
+}
+
 ClassRun gradeClass(const std::vector<Submission>& all, const ClassSetting& setting, const std::atomic<bool>& stop,
                     const std::function<void(const ClassProgress&)>& report)
 {

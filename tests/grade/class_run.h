@@ -44,6 +44,9 @@ struct ClassRun
     bool interrupted = false, graderErrors = false;
 };
 
+/// How many of them are in the part.
+std::size_t countOf(const std::vector<Submission>& all, const Shard& shard);
+
 /// Grades the submissions and writes the reports of each (report/files.h). A submission that makes the grader itself fail becomes State::graderError and stops nobody.
 /// Calls `report` from any thread, but one at a time. When `stop` becomes true the submissions in work are given up:
 /// nothing of them is written. Throws std::runtime_error with one sentence if nothing can be graded at all.

@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "common/cli.h"
+#include "common/guarded_main.h"
 #include "common/image.h"
 #include "common/scene_text.h"
 #include "tests/grade/box/temporary_folder.h"
@@ -286,33 +287,31 @@ int run(const Options& options)
     setting.setting.limits.wallSeconds = 2.4 * options.cpuSeconds;
     setting.setting.grader = graderHash();
 
-    watchInterrupt();
-    const auto done = gradeClass(submissions, setting, interrupted(), show);
-    if (done.interrupted)
-    {
-        std::cerr << fmt::format("grade: interrupted after {} of {}; the same command with --resume goes on\n",
-                                 done.results.size(), done.of);
-        return exitInterrupted;
-    }
+    std::atomic<std::size_t> finished = 0;
+    const auto interruption = [&finished, all = countOf(submissions, setting.shard)] {
+        return fmt::format("grade: interrupted after {} of {}; the same command with --resume goes on", finished.load(),
+                           all);
+    };
+    watchInterrupt({.words = interruption});
+    const auto done = gradeClass(submissions, setting, interrupted(), [&](const ClassProgress& progress) {
+        finished = progress.done;
+        show(progress);
+    });
+    if (done.interrupted) return sayInterrupted(interruption());
     writeClass(options.out, done.results);
     std::cerr << fmt::format("grade: {} graded, {} kept; {}/gradebook.csv and class.html\n", done.graded, done.kept,
                              options.out);
     return done.graderErrors ? int(exitGraderError) : int(exitDone);
 }
 
-} // namespace
-
-} // namespace rt::grade
-
-int main(int argc, char** argv)
+int gradeMain(int argc, char** argv)
 {
-    using namespace rt::grade;
     CLI::App app(
         "Grades a class: each submission is compiled and asked in a sandbox; what is right is decided outside.",
         "grade");
     Options options;
     addOptions(app, options);
-    return rt::runMain(app, argc, argv, [&] {
+    return runMain(app, argc, argv, [&] {
         try
         {
             return run(options);
@@ -323,4 +322,13 @@ int main(int argc, char** argv)
             return int(exitNoSandbox);
         }
     });
+}
+
+} // namespace
+
+} // namespace rt::grade
+
+int main(int argc, char** argv)
+{
+    return rt::guarded(argv, [&] { return rt::grade::gradeMain(argc, argv); });
 }

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include "common/guarded_main.h"
 #include "common/render.h"
 #include "lessons/08_phong/trace.h"
 #include "tests/common/random_scene.h"
@@ -39,10 +40,16 @@ std::uint64_t checksum()
     return sum;
 }
 
-} // namespace
-
-int main()
+int run()
 {
     std::printf("float %016" PRIx64 ", double %016" PRIx64 ", long double %016" PRIx64 "\n", checksum<float>(),
                 checksum<double>(), checksum<long double>());
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    return rt::guarded(argv, [] { return run(); });
 }

@@ -7,15 +7,15 @@ import argparse
 import os
 import pathlib
 import shutil
-import signal
 import sys
 import tempfile
 
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+sys.path[:0] = [str(pathlib.Path(__file__).resolve().parent), str(pathlib.Path(__file__).resolve().parents[2] / "common")]
 import bench_page
 from bench_phases import count_instructions, measure_growth, measure_parts, measure_pictures
 from bench_report import csv_text, replace_section
+from children import Children, ignore_signals, raise_at_signals
 from bench_run import Failed, Progress, Runner, machine, missing
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -82,10 +82,6 @@ def write(path, text):
     part.replace(path)
 
 
-def interrupt(*_):
-    raise KeyboardInterrupt
-
-
 def measure(runner, options):
     """File name -> text, of all that was asked for."""
     progress, rows, files = Progress(), {}, {}
@@ -104,12 +100,12 @@ def measure(runner, options):
 
 
 def main():
-    for sign in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-        signal.signal(sign, interrupt)
+    children = Children()
+    raise_at_signals(children)
     options = arguments()
     check_folder(options.out)
     with tempfile.TemporaryDirectory(prefix="raytree-bench-") as folder:
-        runner = Runner(options.programs, folder)
+        runner = Runner(options.programs, folder, children)
         try:
             for line in missing(runner):
                 print(line, file=sys.stderr)
@@ -117,11 +113,10 @@ def main():
                 raise Failed(f"{options.programs} has no program bench_picture; build bench_programs first")
             rows, files = measure(runner, options)
         finally:
-            runner.stop()
+            children.stop()
         about = machine(runner)
     # From here on files are written, each whole; that takes no time worth an interruption.
-    for sign in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-        signal.signal(sign, signal.SIG_IGN)
+    ignore_signals()
     out = pathlib.Path(options.out)
     out.mkdir(parents=True, exist_ok=True)
     for name, text in files.items():

@@ -3,16 +3,48 @@
 // all that Embree has. Spheres and planes only, the policies of s1 to s6 only.
 #include <chrono>
 
+// Debian 12 has Embree 3, Debian 13 has Embree 4.
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#else
 #include <embree3/rtcore.h>
+#endif
 
 #include "bench_common.h"
 #include "common/camera.h"
+#include "common/guarded_main.h"
 #include "common/image.h"
 #include "common/scene.h"
 #include "common/scene_file.h"
 
 namespace
 {
+
+#if RTC_VERSION_MAJOR >= 4
+void findNearest(RTCScene scene, RTCRayHit& query)
+{
+    rtcIntersect1(scene, &query);
+}
+
+void findAny(RTCScene scene, RTCRay& ray)
+{
+    rtcOccluded1(scene, &ray);
+}
+#else
+void findNearest(RTCScene scene, RTCRayHit& query)
+{
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcIntersect1(scene, &context, &query);
+}
+
+void findAny(RTCScene scene, RTCRay& ray)
+{
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcOccluded1(scene, &context, &ray);
+}
+#endif
 
 using namespace rt;
 using namespace rt::perf;
@@ -65,9 +97,7 @@ struct Peer
         const Plane<float>* plane = nearestPlane(O, D, start, t);
         RTCRayHit query{rtcRay(O, D, start, t), {}};
         query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        rtcIntersect1(spheres, &context, &query);
+        findNearest(spheres, query);
         if (query.hit.geomID != RTC_INVALID_GEOMETRY_ID)
         {
             const auto& sphere = scene.spheres[query.hit.primID];
@@ -94,9 +124,7 @@ struct Peer
         float end = distance;
         if (nearestPlane(O, L, start, end)) return true;
         RTCRay ray = rtcRay(O, L, start, distance);
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        rtcOccluded1(spheres, &context, &ray);
+        findAny(spheres, ray);
         return ray.tfar < 0;
     }
 
@@ -198,11 +226,16 @@ Measured measure(const SceneDescription& description, const SceneOptions& option
     return measured;
 }
 
-} // namespace
-
-int main(int argc, char** argv)
+int run(int argc, char** argv)
 {
     CLI::App app("Measures one picture with Embree's sphere geometry; prints one line of JSON.", "bench_embree");
     SceneOptions options;
     return runBench(app, argc, argv, options, [&](const SceneDescription& scene) { return measure(scene, options); });
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    return rt::guarded(argv, [&] { return run(argc, argv); });
 }

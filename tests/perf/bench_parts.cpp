@@ -6,6 +6,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench_scenes.h"
+#include "common/guarded_main.h"
 #include "common/render.h"
 #include "common/tree_recorder.h"
 #include "lessons/08_phong/trace.h"
@@ -172,9 +173,7 @@ void add(const std::string& real)
     }
 }
 
-} // namespace
-
-int main(int argc, char** argv)
+int run(int argc, char** argv)
 {
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
@@ -182,4 +181,12 @@ int main(int argc, char** argv)
     add<double>("double");
     add<long double>("long-double");
     benchmark::RunSpecifiedBenchmarks();
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    return rt::guarded(argv, [&] { return run(argc, argv); });
 }

@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "bench_common.h"
+#include "common/guarded_main.h"
 #include "common/render.h"
 #include "lessons/08_phong/trace.h"
 
@@ -71,9 +72,7 @@ Measured measure(const SceneDescription& description, const Options& options)
     return measured;
 }
 
-} // namespace
-
-int main(int argc, char** argv)
+int run(int argc, char** argv)
 {
     CLI::App app("Measures one picture with lesson 08's tracer; prints one line of JSON.", "bench_picture");
     Options options;
@@ -90,4 +89,11 @@ int main(int argc, char** argv)
                : options.real == "double" ? measure<double>(scene, options)
                                           : measure<long double>(scene, options);
     });
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    return rt::guarded(argv, [&] { return run(argc, argv); });
 }

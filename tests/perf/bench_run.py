@@ -16,9 +16,8 @@ class Failed(Exception):
 class Runner:
     """Programs of one folder, run in a temporary one, one at a time."""
 
-    def __init__(self, programs, folder):
-        self.programs, self.folder = pathlib.Path(programs).resolve(), pathlib.Path(folder)
-        self.process = None
+    def __init__(self, programs, folder, children):
+        self.programs, self.folder, self.children = pathlib.Path(programs).resolve(), pathlib.Path(folder), children
 
     def has(self, program):
         return (self.programs / program).exists()
@@ -28,21 +27,12 @@ class Runner:
         command = [str(word) for word in command]
         if self.has(command[0]):
             command[0] = str(self.programs / command[0])
-        # In a group of its own: Ctrl-C reaches this script, which then ends the program.
-        self.process = subprocess.Popen(command, cwd=self.folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                                        stderr=subprocess.PIPE, start_new_session=True)
-        out, err = self.process.communicate()
-        code, self.process = self.process.returncode, None
-        out, err = out.decode(errors="replace"), err.decode(errors="replace")
-        if code != 0:
-            reason = (err.strip().splitlines() or [f"exit code {code}"])[-1]
+        done = self.children.run(command, cwd=self.folder)
+        out, err = done.stdout.decode(errors="replace"), done.stderr.decode(errors="replace")
+        if done.returncode != 0:
+            reason = (err.strip().splitlines() or [f"exit code {done.returncode}"])[-1]
             raise Failed(f"{pathlib.Path(command[0]).name} failed: {reason}")
         return out, err
-
-    def stop(self):
-        if self.process:
-            self.process.kill()
-            self.process.wait()
 
     def json(self, *command):
         return json.loads(self.run(*command)[0])

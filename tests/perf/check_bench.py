@@ -12,16 +12,17 @@ import shutil
 import signal
 import subprocess
 import sys
-import time
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-from programs import BIN, ROOT, ProgramTest
+import skips
+from programs import BIN, ROOT, ProgramTest, wait_until_it_watches
 
-sys.path.insert(0, str(ROOT / "tests/perf"))
+sys.path[:0] = [str(ROOT / "tests/perf"), str(ROOT / "common")]
 import bench_page
 import bench_report
 import bench_run
+from children import Children
 
 BENCH = (sys.executable, ROOT / "tests/perf/bench.py")
 PICTURE = ("--no-peers", "--no-parts", "--no-growth", "--no-instructions")
@@ -84,9 +85,8 @@ class Bench(ProgramTest):
 
     def test_povray_makes_the_same_picture_of_the_same_rays(self):
         if not shutil.which("povray"):
-            print("SKIPPED: povray is not installed, so nothing bears witness to the export", file=sys.stderr)
-            self.skipTest("povray is not installed")
-        runner = bench_run.Runner(BIN, self.here)
+            self.skipTest("nothing bears witness to the export, as povray is not installed")
+        runner = bench_run.Runner(BIN, self.here, Children())
         for scene in ("02_mirrors/scenes/pure_specular.toml", "06_fresnel/scenes/half_and_glass.toml"):
             file = ROOT / "lessons" / scene
             ours = self.measured(file, "--size", "160x120", "--count", "--out", "ours.exr")
@@ -100,8 +100,7 @@ class Bench(ProgramTest):
 
     def test_embree_makes_the_same_picture(self):
         if not (BIN / "bench_embree").exists():
-            print("SKIPPED: libembree-dev is not installed", file=sys.stderr)
-            self.skipTest("libembree-dev is not installed")
+            self.skipTest("bench_embree is not built, as libembree-dev is not installed")
         for scene in ("s3", "s4"):
             self.measured(scene, "--size", "160x120", "--out", "ours.exr")
             self.run_program("bench_embree", scene, "--size", "160x120", "--out", "theirs.exr")
@@ -130,9 +129,9 @@ class Bench(ProgramTest):
     def test_interruption_writes_nothing(self):
         process = subprocess.Popen([*map(str, BENCH), "--programs", str(BIN), "--scenes", "s5:2000", "--rounds", "100", *PICTURE],
                                    cwd=self.here, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-        time.sleep(3)
+        wait_until_it_watches(process, signal.SIGTERM)  # Python itself catches SIGINT, so only this says that bench listens
         process.send_signal(signal.SIGINT)
-        out, err = process.communicate(timeout=60)
+        out, err = process.communicate(timeout=600)
         self.assertEqual((process.returncode, out), (130, b""), err)
         self.assertIn(b"nothing was written", err)
         self.assertEqual(list(self.here.iterdir()), [])
@@ -171,4 +170,4 @@ class Report(unittest.TestCase):
         self.assertIn(f"![{bench_page.CAPTIONS['spheres']}](plots/spheres.svg)", bench_page.growth_text(growth, "plots/", {"spheres.svg"}))
 
 
-unittest.main(verbosity=1)
+skips.main()

@@ -2,10 +2,14 @@
 #include <iostream>
 
 #include "bench_common.h"
+#include "common/guarded_main.h"
 #include "common/image.h"
 #include "pov.h"
 
-int main(int argc, char** argv)
+namespace
+{
+
+int run(int argc, char** argv)
 {
     CLI::App app("Writes a scene in the language of POV-Ray 3.7.", "scene_to_pov");
     rt::perf::SceneOptions options;
@@ -22,4 +26,11 @@ int main(int argc, char** argv)
             rt::writeTextFile(out, text);
         return int(rt::exitDone);
     });
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    return rt::guarded(argv, [&] { return run(argc, argv); });
 }

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "common/cli.h"
+#include "common/guarded_main.h"
 #include "common/scene_file.h"
 #include "lessons/registry.h"
 #include "viz/window.h"
@@ -145,7 +146,7 @@ RayTree largeTree(int count)
 void measure(Session session, const std::string& title)
 {
     Controller controller(std::move(session));
-    Window window(controller, 1600, 900, true);
+    Window window(controller, {.width = 1600, .height = 900}, true);
     window.picture();
     std::cout << title << '\n';
     const auto pixel = controller.pixel().value_or(std::array{0, 0});
@@ -169,9 +170,7 @@ void measure(Session session, const std::string& title)
     if (nodes > 1000) report("go to a ray by its number", nodes, 20, [&](int i) { controller.selectNode(37 * i); });
 }
 
-} // namespace
-
-int main()
+int run()
 {
     measure(sessionOf(2, 8), "lesson 02, pure specular");
     measure(sessionOf(6, 8), "lesson 06, glass");
@@ -180,4 +179,12 @@ int main()
     Session large = sessionOf(6, 8);
     large.source = fileSource(largeTree(10000), "large.json");
     measure(std::move(large), "a tree from a file");
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    return rt::guarded(argv, [] { return run(); });
 }

@@ -15,7 +15,7 @@ CLASSIC = ROOT / "lessons/10_speed_and_accuracy/scenes/classic.toml"
 
 
 class Trade(ProgramTest):
-    SECONDS = 300
+    SECONDS = 600
 
     def test_a_small_study_writes_all_its_files(self):
         out, _ = self.run_program("trade", CLASSIC, "--quick", "--size", "32x24", "--out", "new/folder")

@@ -401,6 +401,6 @@ class Clicks(unittest.TestCase):
 
 if __name__ == "__main__":
     if missing():
-        print(f"{missing()} is not installed: skipped")
+        print(f"skipped: {missing()}")
         sys.exit(77)
     unittest.main()

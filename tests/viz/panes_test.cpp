@@ -1,5 +1,6 @@
 #include "viz/layout.h"
 #include "viz/picture_view.h"
+#include "viz/screen.h"
 #include "viz/slider.h"
 
 #include <gtest/gtest.h>
@@ -51,6 +52,88 @@ TEST(Layout, KeepsTheMostImportantPanesInASmallWindow)
         EXPECT_FALSE(layout[pane].isEmpty()) << int(pane);
     EXPECT_TRUE(layout[PaneId::code].isEmpty());
     EXPECT_FALSE(layoutFor(640, 400, {PaneId::code})[PaneId::code].isEmpty());
+}
+
+TEST(Layout, IsTheSameOnADenserScreen)
+{
+    for (const auto& [width, height] : {std::pair{1600, 900}, {1280, 720}, {900, 520}, {800, 500}})
+        for (const int scale : {2, 3, 4})
+        {
+            const Layout usual = layoutFor(width, height);
+            const Layout dense = layoutFor(scale * width, scale * height, {.scale = double(scale)});
+            EXPECT_DOUBLE_EQ(dense.scale, scale * usual.scale);
+            for (int pane = 0; pane < panesInAll; ++pane)
+            {
+                const Rect &a = usual.panes[pane], &b = dense.panes[pane];
+                EXPECT_EQ(a.isEmpty(), b.isEmpty()) << pane;
+                for (const auto& [small, large] :
+                     {std::pair{a.x, b.x}, {a.y, b.y}, {a.width, b.width}, {a.height, b.height}})
+                    EXPECT_NEAR(large, scale * small, 2 * scale) << pane; // each edge is rounded to a pixel
+            }
+        }
+}
+
+TEST(Layout, HalfTheScaleHasRoomForAllPanesInASmallWindow)
+{
+    EXPECT_TRUE(layoutFor(640, 400)[PaneId::code].isEmpty());
+    EXPECT_FALSE(layoutFor(640, 400, {.scale = 0.5})[PaneId::code].isEmpty());
+}
+
+TEST(Screen, WindowsLieOnTheMonitorOfThePointerAndBesidePanels)
+{
+    const Area screen{0, 0, 3200, 1200}, left{0, 0, 1600, 1200}, right{1600, 100, 1600, 900};
+    const auto expect = [](const Area& got, const Area& expected) {
+        EXPECT_EQ((std::array{got.x, got.y, got.width, got.height}),
+                  (std::array{expected.x, expected.y, expected.width, expected.height}));
+    };
+    expect(areaFor(screen, {}, 5, 5, {}), screen);
+    expect(areaFor(screen, {left, right}, 5, 5, {}), left);
+    expect(areaFor(screen, {left, right}, 1600, 500, {}), right);
+    expect(areaFor(screen, {left, right}, 1600, 50, {}), left); // on none: the first
+    expect(areaFor(screen, {left, right}, 5, 5, {0, 30, 3200, 1100}), {0, 30, 1600, 1100});
+    expect(areaFor(screen, {left, right}, 2000, 500, {0, 30, 3200, 1100}), right);
+    expect(areaFor(screen, {left, right}, 2000, 500, {0, 0, 1600, 1100}), right); // a panel cannot cover all of it
+    expect(areaFor({0, 0, 800, 600}, {{0, 0, 1600, 1200}}, 0, 0, {}), {0, 0, 800, 600});
+}
+
+RC_GTEST_PROP(Screen, NoPartOfAWindowIsBesideIt, ())
+{
+    const auto side = [](int least, int most) { return *rc::gen::inRange(least, most); };
+    const Area area{side(-2000, 2000), side(-2000, 2000), side(100, 5000), side(100, 5000)};
+    const Frame frame{side(0, 20), side(0, 20), side(0, 40), side(0, 20)};
+    const int width = side(1, 9000), height = side(1, 9000);
+    const auto place = placeWindow(width, height, area, frame);
+    RC_ASSERT(place.x >= area.x && place.y >= area.y);
+    RC_ASSERT(place.x + frame.left + place.width + frame.right <= area.x + area.width);
+    RC_ASSERT(place.y + frame.top + place.height + frame.bottom <= area.y + area.height);
+    RC_ASSERT(place.width == std::min(width, area.width - frame.left - frame.right));
+    RC_ASSERT(place.height == std::min(height, area.height - frame.top - frame.bottom));
+}
+
+TEST(Screen, TheLargestWishForAScaleCounts)
+{
+    EXPECT_EQ(wishedScale(nullptr, nullptr, nullptr), 1);
+    EXPECT_EQ(wishedScale("96", nullptr, nullptr), 1);
+    EXPECT_EQ(wishedScale("192", nullptr, nullptr), 2);
+    EXPECT_EQ(wishedScale("144", nullptr, nullptr), 1.5);
+    EXPECT_EQ(wishedScale("72", nullptr, nullptr), 0.75);
+    EXPECT_EQ(wishedScale("192", "1", "1.25"), 2);
+    EXPECT_EQ(wishedScale("96", "2", nullptr), 2);
+    EXPECT_EQ(wishedScale(nullptr, nullptr, "1.5"), 1.5);
+    EXPECT_EQ(wishedScale("9600", nullptr, nullptr), 4);
+    EXPECT_EQ(wishedScale("1", nullptr, nullptr), 0.5);
+    for (const char* nonsense : {"", "0", "-96", "nan", "inf", "1e999", "two", "192 dpi"})
+        EXPECT_EQ(wishedScale(nonsense, nonsense, nonsense), 1) << nonsense;
+}
+
+TEST(Screen, TheScaleOfADesktopLeavesRoomForAllPanes)
+{
+    EXPECT_EQ(fittingScale(2, {0, 0, 3840, 2160}, {}), 2);
+    EXPECT_EQ(fittingScale(2, {0, 0, 1800, 1040}, {}), 2);
+    EXPECT_EQ(fittingScale(2, {0, 0, 1350, 2000}, {}), 1.5);
+    EXPECT_EQ(fittingScale(2, {0, 0, 1366, 20 + 780}, {0, 0, 20, 0}), 1.5);
+    EXPECT_EQ(fittingScale(2, {0, 0, 640, 480}, {}), 1);
+    EXPECT_EQ(fittingScale(0.75, {0, 0, 640, 480}, {}), 0.75);
 }
 
 TEST(Layout, APaneMayTakeAllTheRoom)

@@ -3,21 +3,25 @@
 #include <set>
 #include <tuple>
 
+#include "common/guarded_main.h"
 #include "common/image.h"
+
+namespace
+{
+
+int run(int argc, char** argv)
+{
+    if (argc != 2) return 2;
+    const rt::Image image = rt::readImage(argv[1]);
+    std::set<std::tuple<double, double, double>> colors;
+    for (const auto& p : image.pixels) colors.emplace(p.x, p.y, p.z);
+    std::cout << image.width << ' ' << image.height << ' ' << colors.size() << '\n';
+    return 0;
+}
+
+} // namespace
 
 int main(int argc, char** argv)
 {
-    if (argc != 2) return 2;
-    try
-    {
-        const rt::Image image = rt::readImage(argv[1]);
-        std::set<std::tuple<double, double, double>> colors;
-        for (const auto& p : image.pixels) colors.emplace(p.x, p.y, p.z);
-        std::cout << image.width << ' ' << image.height << ' ' << colors.size() << '\n';
-    }
-    catch (const std::exception& error)
-    {
-        std::cerr << error.what() << '\n';
-        return 1;
-    }
+    return rt::guarded(argv, [&] { return run(argc, argv); });
 }

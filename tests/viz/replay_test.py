@@ -16,6 +16,9 @@ import unittest
 
 import xscreen
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+import skips  # noqa: E402
+
 VIEWER = pathlib.Path(sys.argv.pop(1)).resolve()
 REPLAYS = pathlib.Path(__file__).parent / "replays"
 NO_DISPLAY = {key: value for key, value in os.environ.items() if key != "DISPLAY"}
@@ -30,7 +33,7 @@ class Replays(unittest.TestCase):
     def play(self, log, arguments=("6",), env=NO_DISPLAY):
         """Without a display the viewer starts one for itself, which takes a while."""
         return subprocess.run([VIEWER, *arguments, "--size-window", "1600x900", "--play", log, "--script", "state state.json"],
-                              cwd=self.folder, env=env, capture_output=True, text=True, timeout=120)
+                              cwd=self.folder, env=env, capture_output=True, text=True, timeout=6000)
 
     def state(self, log, arguments=("6",), env=NO_DISPLAY):
         done = self.play(log, arguments, env)
@@ -52,7 +55,7 @@ class Replays(unittest.TestCase):
                 state["comparison"] = state["comparison"] is not None
                 self.assertEqual({key: state[key] for key in expected["state"]}, expected["state"])
 
-    @unittest.skipIf(xscreen.missing(), f"{xscreen.missing()} is not installed")
+    @unittest.skipIf(xscreen.missing(), xscreen.missing())
     def test_what_is_recorded_can_be_played(self):
         screen = xscreen.Screen()
         self.addCleanup(screen.close)
@@ -93,15 +96,15 @@ class Replays(unittest.TestCase):
                 self.assertIn(name, done.stderr)
                 self.assertFalse((self.folder / "state.json").exists())
 
-    @unittest.skipIf(xscreen.missing(), f"{xscreen.missing()} is not installed")
+    @unittest.skipIf(xscreen.missing(), xscreen.missing())
     def test_a_recording_that_cannot_be_written_is_refused_at_the_start(self):
         screen = xscreen.Screen()
         self.addCleanup(screen.close)
         done = subprocess.run([VIEWER, "6", "--record", "missing/mine.log"], cwd=self.folder, env=screen.env, capture_output=True,
-                              text=True, timeout=60)
+                              text=True, timeout=600)
         self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1), done.stderr)
         self.assertIn("missing", done.stderr)
 
 
 if __name__ == "__main__":
-    unittest.main()
+    skips.main()

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "common/cli.h"
+#include "common/guarded_main.h"
 #include "common/scene_file.h"
 #include "lessons/formulas.h"
 #include "lessons/registry.h"
@@ -83,50 +84,41 @@ void change(const std::string& variant, RayTree& tree, SceneDescription& scene)
         throw std::runtime_error(variant + ": expected empty, nan, huge, orphans, large or hostile");
 }
 
-} // namespace
-
-int main(int argc, char** argv)
+int run(int argc, char** argv)
 {
     if (argc < 5 || argc > 6)
     {
         std::cerr << "usage: write_html SCENE LESSON x,y|- OUT [empty|nan|huge|orphans|large|hostile]\n";
         return exitBadInput;
     }
-    try
+    const std::string variant = argc > 5 ? argv[5] : "", pixel = argv[3];
+    auto scene = loadScene(std::filesystem::absolute(argv[1]).string());
+    const auto* lesson = findLesson(std::stoi(argv[2]));
+    if (!lesson) throw std::runtime_error(fmt::format("{}: there is no such lesson", argv[2]));
+    if (variant == "" && pixel == "0,0") scene.camera.width = scene.camera.height = 1; // a picture of one pixel
+    Probe probe = scene.pixel();
+    if (pixel != "-")
     {
-        const std::string variant = argc > 5 ? argv[5] : "", pixel = argv[3];
-        auto scene = loadScene(std::filesystem::absolute(argv[1]).string());
-        const auto* lesson = findLesson(std::stoi(argv[2]));
-        if (!lesson) throw std::runtime_error(fmt::format("{}: there is no such lesson", argv[2]));
-        if (variant == "" && pixel == "0,0") scene.camera.width = scene.camera.height = 1; // a picture of one pixel
-        Probe probe = scene.pixel();
-        if (pixel != "-")
-        {
-            const auto xy = numbers(pixel, 2, "pixel");
-            probe = std::array{int(xy[0]), int(xy[1])};
-        }
-        auto tree = lesson->inspect(scene, Precision::doubled, probe);
-        tree.source = lesson->source;
-        auto camera = scene;
-        if (!variant.empty()) camera.camera.width = 80, camera.camera.height = 60; // a tree like this is no picture's
-        const auto picture = lesson->render(camera, Precision::doubled, {});
-        change(variant, tree, scene);
-        const auto title =
-            variant == "hostile" ? hostile : fmt::format("Lesson {:02}: {}", lesson->number, lesson->title);
-        const auto source = readTextFile(projectFile(lesson->source)) + (variant == "hostile" ? hostile : "");
-        writeTextFile(argv[4], htmlPage({tree, scene, picture, title, source, lectureFormulas()}));
-        return exitDone;
+        const auto xy = numbers(pixel, 2, "pixel");
+        probe = std::array{int(xy[0]), int(xy[1])};
     }
-    catch (const std::exception& error)
-    {
-        std::cerr << error.what() << '\n';
-        return exitBadInput;
-    }
+    auto tree = lesson->inspect(scene, Precision::doubled, probe);
+    tree.source = lesson->source;
+    auto camera = scene;
+    if (!variant.empty()) camera.camera.width = 80, camera.camera.height = 60; // a tree like this is no picture's
+    const auto picture = lesson->render(camera, Precision::doubled, {});
+    change(variant, tree, scene);
+    const auto title = variant == "hostile" ? hostile : fmt::format("Lesson {:02}: {}", lesson->number, lesson->title);
+    const auto source = readTextFile(projectFile(lesson->source)) + (variant == "hostile" ? hostile : "");
+    writeTextFile(argv[4], htmlPage({tree, scene, picture, title, source, lectureFormulas()}));
+    return exitDone;
 }
+
+} // namespace
 
 } // namespace rt::viz
 
 int main(int argc, char** argv)
 {
-    return rt::viz::main(argc, argv);
+    return rt::guarded(argv, [&] { return rt::viz::run(argc, argv); });
 }

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "common/guarded_main.h"
 #include "common/image.h"
 #include "common/scene_file.h"
 #include "lessons/registry.h"
@@ -93,10 +94,7 @@ RayTree poisoned(const RayTree& good)
 
 const std::string hostile = "\"}],\xff\xfe</DataArray>\n\\u0000<&'" + std::string(1, '\0') + "\xc3";
 
-} // namespace
-
-int main(int argc, char** argv)
-try
+int run(int argc, char** argv)
 {
     if (argc < 2 || argc % 2)
     {
@@ -141,8 +139,10 @@ try
     write(folder + "hostile_names", tree, named);
     return 0;
 }
-catch (const std::exception& error)
+
+} // namespace
+
+int main(int argc, char** argv)
 {
-    std::cerr << error.what() << "\n";
-    return 2;
+    return rt::guarded(argv, [&] { return run(argc, argv); });
 }

@@ -14,12 +14,13 @@ import tempfile
 import time
 
 WIDTH, HEIGHT = 1600, 900
-PATIENCE = 60  # seconds for what takes a tenth of one on an idle machine
+PATIENCE = 600  # seconds for what takes a tenth of one on an idle machine: only what hangs takes them
 
 
 def missing():
-    """The first program that is needed and not installed, or None."""
-    return next((name for name in ("Xvfb", "xdotool") if not shutil.which(name)), None)
+    """Why there can be no screen, as a sentence; empty if there can."""
+    return next((f"{name} is not installed (Debian's package {package})"
+                 for name, package in (("Xvfb", "xvfb"), ("xdotool", "xdotool")) if not shutil.which(name)), "")
 
 
 def wait_for(condition, what):
@@ -36,13 +37,13 @@ def wait_for(condition, what):
 class Screen:
     """Xvfb keeps its picture in a file in the format of xwd, four bytes a pixel: blue, green, red, nothing."""
 
-    def __init__(self, width=WIDTH, height=HEIGHT):
+    def __init__(self, width=WIDTH, height=HEIGHT, depth=24, options=()):
         self.folder = tempfile.TemporaryDirectory()
         reads, writes = os.pipe()
         # -noreset: otherwise the server starts anew, for a moment deaf, whenever its last window goes.
         self.server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(writes), "-screen", "0", f"{width}x{height}x24", "-fbdir", self.folder.name, "-nolisten",
-             "tcp", "-noreset"], pass_fds=[writes], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            ["Xvfb", "-displayfd", str(writes), "-screen", "0", f"{width}x{height}x{depth}", "-fbdir", self.folder.name,
+             "-nolisten", "tcp", "-noreset", *options], pass_fds=[writes], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(writes)
         self.processes = [self.server]  # whose work is seen here
         number = b""
@@ -132,7 +133,8 @@ class Viewer:
         self.file = self.folder / "state.json"
         self.file.unlink(missing_ok=True)
         # Nothing of the viewer before: the screen must be black, or its last picture would be taken for this one's first.
-        wait_for(lambda: not any(screen.part((0, 0, screen.width, 4)).replace(b"\0", b"")), "an empty screen")
+        middle = (0, screen.height // 2, screen.width, 1)
+        wait_for(lambda: not any(screen.part(middle).replace(b"\0", b"")), "an empty screen")
         screen.do("mousemove", 3, 3)
         with open(self.folder / "stderr.txt", "wb") as errors:
             self.process = subprocess.Popen([program, *map(str, words), "--state", self.file], env=screen.env, cwd=folder,
@@ -140,7 +142,7 @@ class Viewer:
         screen.processes.append(self.process)
         try:
             # Before its first frame the window does not listen.
-            wait_for(lambda: self.ended() or any(screen.part((0, 4, screen.width, 1)).replace(b"\0", b"")), "the window's picture")
+            wait_for(lambda: self.ended() or any(screen.part(middle).replace(b"\0", b"")), "the window's picture")
             steady(screen, (0, 0, screen.width, screen.height))
         except BaseException:
             self.stop()

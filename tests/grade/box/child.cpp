@@ -1,6 +1,7 @@
 #include "tests/grade/box/child.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <cmath>
@@ -20,6 +21,7 @@
 
 #include <fmt/format.h>
 
+#include "common/interrupt.h"
 #include "common/spawn.h"
 #include "tests/grade/box/death.h"
 #include "tests/grade/box/temporary_folder.h"
@@ -100,7 +102,7 @@ struct Child::State
 
     Clock::time_point start = Clock::now();
     Pipe questions, answers, text, status;
-    pid_t pid = -1;
+    std::atomic<pid_t> pid = -1;
     Descriptor process; ///< readable once it has ended
     pid_t inner = -1;   ///< process 1 of its namespace, in our numbers
     Descriptor innerProcess;
@@ -111,6 +113,7 @@ struct Child::State
     bool endOfAnswers = false; ///< it closed them
     double cpuSeconds = 0;
     std::optional<End> end;
+    UndoAtInterrupt undo{[this] { kill(); }};
 
     State(const Command& command, const Limits& given)
         : limits(given), shown(command.shown), boxed(command.reportsStatus), questions(shown), answers(shown),
@@ -132,7 +135,7 @@ struct Child::State
         filter.write.close();
 
         pid = startProcess(command.argv, files, &command.environment);
-        process.fd = int(::syscall(SYS_pidfd_open, pid, 0));
+        process.fd = int(::syscall(SYS_pidfd_open, pid.load(), 0));
         questions.read.close();
         answers.write.close();
         text.write.close();
@@ -186,7 +189,7 @@ struct Child::State
     {
         if (innerProcess.fd >= 0) ::syscall(SYS_pidfd_send_signal, innerProcess.fd, SIGKILL, nullptr, 0);
         // With bubblewrap this is bubblewrap, outside, and its end is the end of all inside; else it is the program itself.
-        if (pid > 0) ::kill(-pid, SIGKILL);
+        if (const pid_t group = pid; group > 0) ::kill(-group, SIGKILL);
     }
 
     /// Kills and buries all of it; the status of what we started, which is its own if it had ended before.
@@ -194,10 +197,11 @@ struct Child::State
     {
         kill();
         int code = 0, ignored = 0;
-        bury(pid, code, cpuSeconds);
+        const pid_t group = pid.exchange(-1);
+        forgetProcess(group);
+        bury(group, code, cpuSeconds);
         // What it started and left in its group.
-        ::kill(-pid, SIGKILL);
-        pid = -1;
+        ::kill(-group, SIGKILL);
         if (inner > 0)
         {
             if (innerProcess.fd >= 0) ::syscall(SYS_pidfd_send_signal, innerProcess.fd, SIGKILL, nullptr, 0);

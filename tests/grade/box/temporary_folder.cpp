@@ -1,9 +1,11 @@
 #include "tests/grade/box/temporary_folder.h"
 
+#include <chrono>
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
 #include <stdexcept>
+#include <thread>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -57,9 +59,21 @@ TemporaryFolder::TemporaryFolder()
 
 TemporaryFolder::~TemporaryFolder()
 {
-    std::error_code ignored;
-    fs::remove_all(path, ignored);
+    remove();
     if (lock >= 0) ::close(lock);
+}
+
+void TemporaryFolder::remove() const
+{
+    // Of programs that have just been killed one may still write.
+    constexpr int tries = 20;
+    std::error_code error;
+    for (int i = 0; i < tries; ++i)
+    {
+        fs::remove_all(path, error);
+        if (!error) return;
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
 }
 
 int removeAbandonedFolders()

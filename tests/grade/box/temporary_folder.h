@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "common/interrupt.h"
+
 namespace rt::grade
 {
 
@@ -18,7 +20,10 @@ public:
     std::string path;
 
 private:
+    void remove() const;
+
     int lock; ///< held open and locked: says that somebody is still there. Goes with the process, however it ends
+    UndoAtInterrupt undo{[this] { remove(); }};
 };
 
 /// Removes what killed processes of this user have left: our folders that nobody holds and that are older than a minute.

@@ -190,11 +190,8 @@ class Handout:
             if preset["name"] == "student":  # a hand-out is for `learn`
                 preset["cacheVariables"] |= {"RAYTREE_GRADER": "ON", "RAYTREE_PICTURES": "ON"}
         self.add("CMakePresets.json", json.dumps(presets, indent=2) + "\n")
-        door = source("raytree")
-        functions = [re.search(rf"^{name}\(\) {{\n.*?^}}\n", door, re.M | re.S)[0] for name in ("fail", "packages", "compile", "number")]
-        core = re.search(r'^core_packages="(.*?)"', door, re.M | re.S)[1]
-        self.add("raytree", self.template("raytree.in", CORE=core, FUNCTIONS="\n".join(functions),
-                                          LESSONS=self.numbers()), True)
+        self.add("raytree", self.template("raytree.in", LESSONS=self.numbers()), True)
+        self.copy("common/front_door.sh", "common/help/learn.txt", "common/help/exercise*.txt")
         table = "".join(f"| [{folder_of(n).name}](lessons/{folder_of(n).name}/README.md) | "
                         f"{sum(e['points'] for e in chosen if e['lesson'] == n)} | `./raytree learn {n}` |\n"
                         for n in self.lessons)
@@ -350,6 +347,9 @@ def main():
         packed = write(handout.files, out)
     except Refused as refused:
         print(f"raytree handout: {refused}", file=sys.stderr)
+        sys.exit(2)
+    except OSError as error:
+        print(f"raytree handout: {error.filename or args.out}: {error.strerror}", file=sys.stderr)
         sys.exit(2)
     notice(handout)
     print(out)

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "common/cli.h"
+#include "common/guarded_main.h"
 #include "tests/grade/box/temporary_folder.h"
 #include "tests/grade/learn/show.h"
 #include "tests/grade/learn/terminal.h"
@@ -90,9 +91,7 @@ int run(const Options& options)
     return watch(session);
 }
 
-} // namespace
-
-int main(int argc, char** argv)
+int learn(int argc, char** argv)
 {
     CLI::App app("Shows which exercise is next, and says at each save of its file what is right and what is not.",
                  "learn");
@@ -109,4 +108,11 @@ int main(int argc, char** argv)
                "Exit codes: 0 done, --once: all right; 1 --once: something is wrong or not attempted; 2 bad usage, 130 "
                "interrupted.");
     return runMain(app, argc, argv, [&] { return run(options); });
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    return rt::guarded(argv, [&] { return learn(argc, argv); });
 }

@@ -22,7 +22,7 @@ import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 LEARN = str(pathlib.Path(sys.argv[1]).resolve())
-PATIENCE = 120  # seconds; compilers are slow on busy machines
+PATIENCE = 600  # seconds; compilers are slow on busy machines
 
 sys.path.insert(0, str(ROOT / "lessons"))
 sys.dont_write_bytecode = True

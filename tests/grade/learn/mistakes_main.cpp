@@ -4,27 +4,30 @@
 
 #include <fmt/format.h>
 
+#include "common/guarded_main.h"
 #include "common/image.h"
 #include "tests/grade/questions/manifest.h"
 #include "tests/grade/questions/mistakes.h"
 
-int main(int argc, char** argv)
+namespace
+{
+
+int run(int argc, char** argv)
 {
     if (argc != 2)
     {
         std::cerr << "usage: grade_mistakes DIR\n";
         return 2;
     }
-    try
-    {
-        std::filesystem::create_directories(argv[1]);
-        for (const int lesson : rt::grade::exerciseLessons())
-            rt::writeTextFile(fmt::format("{}/{:02}.json", argv[1], lesson), rt::grade::mistakesJson(lesson));
-    }
-    catch (const std::exception& error)
-    {
-        std::cerr << "grade_mistakes: " << error.what() << '\n';
-        return 2;
-    }
+    std::filesystem::create_directories(argv[1]);
+    for (const int lesson : rt::grade::exerciseLessons())
+        rt::writeTextFile(fmt::format("{}/{:02}.json", argv[1], lesson), rt::grade::mistakesJson(lesson));
     return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    return rt::guarded(argv, [&] { return run(argc, argv); });
 }

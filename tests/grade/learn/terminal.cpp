@@ -11,6 +11,8 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include "common/interrupt.h"
+
 namespace rt::grade
 {
 
@@ -19,6 +21,7 @@ namespace
 
 termios before;
 bool changed = false;
+std::optional<UndoAtInterrupt> undo;
 
 void restore()
 {
@@ -44,12 +47,14 @@ Keys::Keys()
     now.c_cc[VMIN] = 0;
     now.c_cc[VTIME] = 0;
     changed = true;
+    undo.emplace(restore);
     ::tcsetattr(STDIN_FILENO, TCSANOW, &now);
 }
 
 Keys::~Keys()
 {
     restore();
+    undo.reset();
 }
 
 std::optional<char> Keys::read(double seconds)

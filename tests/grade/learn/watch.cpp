@@ -127,7 +127,7 @@ struct Watch
 
 int watch(Session& session)
 {
-    watchInterrupt();
+    watchInterrupt({.words = [] { return std::string(); }});
     Keys keys;
     Watch watch{session, {showsColor(), showsPictures()}, {}, {}};
     watch.runAgain();

@@ -4,10 +4,14 @@
 #include <fmt/format.h>
 
 #include "common/cli.h"
+#include "common/guarded_main.h"
 #include "tests/grade/report/files.h"
 #include "tests/grade/report/merge.h"
 
-int main(int argc, char** argv)
+namespace
+{
+
+int run(int argc, char** argv)
 {
     using namespace rt;
     CLI::App app("Writes OUT/gradebook.csv, OUT/junit.xml and OUT/class.html of results that were made apart.",
@@ -24,4 +28,11 @@ int main(int argc, char** argv)
                                  out, out);
         return int(exitDone);
     });
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    return rt::guarded(argv, [&] { return run(argc, argv); });
 }

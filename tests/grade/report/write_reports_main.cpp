@@ -2,6 +2,7 @@
 #include <iostream>
 
 #include "common/cli.h"
+#include "common/guarded_main.h"
 #include "tests/grade/report/files.h"
 #include "tests/grade/report/sample_results.h"
 
@@ -47,7 +48,10 @@ std::vector<SubmissionResult> sampleClass()
 
 } // namespace rt::grade
 
-int main(int argc, char** argv)
+namespace
+{
+
+int run(int argc, char** argv)
 {
     using namespace rt;
     if (argc != 2)
@@ -55,17 +59,16 @@ int main(int argc, char** argv)
         std::cerr << "usage: write_reports OUT\n";
         return exitBadInput;
     }
-    try
-    {
-        const std::string out = argv[1];
-        grade::writeAll(out + "/class", grade::sampleClass());
-        grade::writeAll(out + "/hostile", {grade::samples::hostile(), grade::samples::hostileNotCompiled()});
-        grade::writeAll(out + "/empty", {});
-        return exitDone;
-    }
-    catch (const std::exception& error)
-    {
-        std::cerr << error.what() << '\n';
-        return exitBadInput;
-    }
+    const std::string out = argv[1];
+    grade::writeAll(out + "/class", grade::sampleClass());
+    grade::writeAll(out + "/hostile", {grade::samples::hostile(), grade::samples::hostileNotCompiled()});
+    grade::writeAll(out + "/empty", {});
+    return exitDone;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    return rt::guarded(argv, [&] { return run(argc, argv); });
 }
