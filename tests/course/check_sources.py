@@ -89,6 +89,7 @@ def check_small_steps():
 
 # Constants that look like an epsilon and are none: file -> why. No ray ever meets one of them.
 NOT_TRACING = {
+    "common/image.cpp": "where the straight part of sRGB's curve ends",
     "lessons/09_limitations/reference.h": "53 random bits become a fraction",
     "common/tree_diff.h": "tolerances of a comparison of two finished trees",
     "common/tree_diff.cpp": "tolerances of a comparison of two finished trees",
