@@ -143,23 +143,18 @@ inline Two logarithm(double x)
         x *= 0x1p54;
         power = -54;
     }
-    // x = 2^power m, and m next to f = i / 64: log m = log f + 2 atanh((m - f) / (m + f))
-    const auto bits = std::bit_cast<std::uint64_t>(x);
-    constexpr std::uint64_t one = std::uint64_t(1023) << 52, fraction = (std::uint64_t(1) << 52) - 1;
-    power += int(bits >> 52) - 1023;
-    double m = std::bit_cast<double>((bits & fraction) | one);
-    if (m >= 1.5)
-    {
-        m /= 2;
-        ++power;
-    }
+    // x = 2^power m, m from 3/4 to 3/2 and next to f = i / 64: log m = log f + 2 atanh((m - f) / (m + f))
+    const auto bits = std::bit_cast<std::int64_t>(x);
+    const std::int64_t doublings = (bits - std::bit_cast<std::int64_t>(0.75)) >> 52;
+    power += int(doublings);
+    const double m = std::bit_cast<double>(bits - doublings * (std::int64_t(1) << 52));
     const int i = int(m * Tables::steps + 0.5);
     const double f = double(i) / Tables::steps, difference = m - f;
     const Two whole = sum(m, f);
-    const double s = difference / whole.hi;
+    const double inverse = 1 / whole.hi, s = difference * inverse, z = s * s;
     const Two back = product(s, whole.hi);
-    const double lacks = (((difference - back.hi) - back.lo) - s * whole.lo) / whole.hi, z = s * s;
-    const double tail = 2 * s * z * (1.0 / 3 + z * (1.0 / 5 + z * (1.0 / 7 + z * (1.0 / 9 + z / 11))));
+    const double lacks = (((difference - back.hi) - back.lo) - s * whole.lo) * inverse;
+    const double tail = 2 * s * z * (1.0 / 3 + z * (1.0 / 5 + z * (1.0 / 7 + z * (1.0 / 9 + z * (1.0 / 11)))));
     const Two& near = known.log[std::size_t(i)];
     const Two first = sum(power * known.ln2Upper, near.hi), second = sum(first.hi, 2 * s);
     const double low = power * known.ln2Lower + near.lo + 2 * lacks + tail;
@@ -177,9 +172,10 @@ inline double exponential(const Two& x)
     const Two& factor = known.exponent[std::size_t(n & (Tables::parts - 1))];
     const double share = double(n) / Tables::parts;
     const Two r = sum(x.hi - share * known.ln2Upper, x.lo - share * known.ln2Lower);
-    double tail = 1;
-    for (int k = 9; k >= 3; --k) tail = 1 + r.hi / k * tail;
-    tail = r.lo + r.hi * r.hi / 2 * tail;
+    const double h = r.hi;
+    const double cubic =
+        1.0 / 6 + h * (1.0 / 24 + h * (1.0 / 120 + h * (1.0 / 720 + h * (1.0 / 5040 + h * (1.0 / 40320)))));
+    const double tail = r.lo + h * h * (0.5 + h * cubic);
     // factor * (1 + r.hi + tail)
     const Two linear = product(factor.hi, r.hi), main = ordered(factor.hi, linear.hi);
     const double result = main.hi + (main.lo + (linear.lo + factor.lo + factor.lo * r.hi + factor.hi * tail));
@@ -198,7 +194,7 @@ inline Two angle(const Two& y, const Two& x)
     const int i = int(low.hi / high.hi * Tables::steps + 0.5);
     const Two c{double(i) / Tables::steps}, u = (low + -(c * high)) / (high + c * low);
     const double z = u.hi * u.hi;
-    const double tail = -u.hi * z * (1.0 / 3 - z * (1.0 / 5 - z * (1.0 / 7 - z * (1.0 / 9 - z / 11))));
+    const double tail = -u.hi * z * (1.0 / 3 - z * (1.0 / 5 - z * (1.0 / 7 - z * (1.0 / 9 - z * (1.0 / 11)))));
     const Two flat = known.atan[std::size_t(i)] + Two{u.hi, u.lo + tail};
     return steep ? known.halfPi + -flat : flat;
 }
@@ -255,9 +251,11 @@ inline std::array<Two, 2> sineAndCosine(double x)
 
 [[gnu::noinline]] inline double hypot(double x, double y)
 {
+    using Limits = std::numeric_limits<double>;
     const double size = std::max(std::abs(x), std::abs(y));
-    if (!(size > 0 && size <= std::numeric_limits<double>::max())) return size + std::abs(y);
-    if (size < 0x1p-400 || size > 0x1p400) // the squares would not fit
+    if (!(size > 0 && size <= Limits::max())) return size + std::abs(y);
+    constexpr double least = Limits::min() / Limits::epsilon() / Limits::epsilon();
+    if (size * size < least || size * size > Limits::max() / 4) // the digits of the squares would not fit
     {
         const int exponent = std::ilogb(size);
         return std::ldexp(hypot(std::ldexp(x, -exponent), std::ldexp(y, -exponent)), exponent);

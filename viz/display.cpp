@@ -23,7 +23,7 @@ namespace
 {
 
 /// For what takes a tenth of a second on an idle machine, and some seconds over a slow network.
-constexpr auto patience = std::chrono::seconds(20);
+constexpr auto patience = std::chrono::seconds(30);
 
 /// In the child. It ends without destructors and exit handlers, which belong to the parent.
 [[noreturn]] void answerInto(int pipe, bool forWindow)
@@ -31,6 +31,7 @@ constexpr auto patience = std::chrono::seconds(20);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     // A crash is an answer, too: no core is dumped.
     for (const int crash : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) std::signal(crash, [](int) { _exit(1); });
+    std::atexit([] { _exit(1); }); // of all handlers the last one is called first
     for (const int stop : {SIGINT, SIGTERM, SIGHUP}) std::signal(stop, SIG_DFL);
     // What drivers say when they fail is said again, in one sentence.
     if (const int nowhere = open("/dev/null", O_RDWR | O_CLOEXEC); nowhere >= 0)

@@ -1,5 +1,5 @@
 // Is there a display that VTK can draw on? To be asked before any VTK object exists, since without one VTK crashes, and
-// before any thread does.
+// before this process has threads at work.
 #pragma once
 
 #include <string>

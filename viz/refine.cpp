@@ -1,6 +1,7 @@
 #include "viz/refine.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace rt::viz
 {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <optional>
 #include <string_view>
 
 #include "viz/layout.h"
@@ -35,13 +36,16 @@ Area common(const Area& a, const Area& b)
 
 Area areaFor(const Area& screen, const std::vector<Area>& monitors, int pointerX, int pointerY, const Area& workArea)
 {
-    Area area = screen;
-    for (auto monitor = monitors.rbegin(); monitor != monitors.rend(); ++monitor)
-        if (const Area part = common(screen, *monitor); !part.isEmpty())
-        {
-            area = part;
-            if (part.contains(pointerX, pointerY)) break;
-        }
+    std::optional<Area> first, pointed;
+    const auto pixels = [](const Area& area) { return double(area.width) * area.height; };
+    for (const auto& monitor : monitors)
+    {
+        const Area part = common(screen, monitor);
+        if (part.isEmpty()) continue;
+        if (!first) first = part;
+        if (part.contains(pointerX, pointerY) && (!pointed || pixels(part) < pixels(*pointed))) pointed = part;
+    }
+    const Area area = pointed ? *pointed : first ? *first : screen;
     const Area left = common(area, workArea);
     return left.isEmpty() ? area : left;
 }

@@ -24,8 +24,9 @@ struct Frame
     int left = 0, right = 0, top = 0, bottom = 0;
 };
 
-/// Where a window may lie: the monitor of these that holds the pointer, else the first one, else all the screen, and of
-/// that what is left beside panels, if a window manager has said it (an empty `workArea`: it has not).
+/// Where a window may lie: the monitor that holds the pointer (the smallest one, if several show the same), else the first
+/// one, else all the screen; and of that what is left beside panels, if a window manager has said it (an empty `workArea`:
+/// it has not).
 Area areaFor(const Area& screen, const std::vector<Area>& monitors, int pointerX, int pointerY, const Area& workArea);
 
 /// A window, without its frame.

@@ -21,6 +21,7 @@ WIDGETS = ROOT / "slides-notes/site/widgets"
 STACK = 8 << 20 # bytes, as on Linux
 # Functions of the C library for double and float that are not exact; long double's bits are not promised.
 OPEN = r"(a?(sin|cos|tan)h?|atan2|sincos|exp|exp2|exp10|expm1|log|log2|log10|log1p|pow|hypot|cbrt|erfc?|[lt]gamma|fma)f?"
+TRACERS = {"entry.cpp.o", "scene.cpp.o"} # objects of the lessons and of what they ask
 FUNCTIONS = ["pow", "atan2", "acos", "hypot", "sin", "tan", "u of an angular sky", "v of an angular sky"] # as in compared.h
 
 
@@ -182,11 +183,18 @@ def check_calls(libraries):
     reader = find("nm")
     if not reader:
         fail("nm is not installed: what the tracer calls is not known; Debian's package: binutils")
+    read = set()
     for library in libraries:
         for line in lines(run([reader, "-A", "--undefined-only", library])):
-            place, called = line.split()[0], line.split()[-1]
-            if re.search(r"(entry|scene)\.cpp\.o:", place) and re.fullmatch(OPEN, called):
+            place, called = line.split()[0].rstrip(":"), line.split()[-1]
+            member = place.split(":")[-1]
+            if member not in TRACERS:
+                continue
+            read.add(member)
+            if re.fullmatch(OPEN, called):
                 fail(f"{place} calls {called} of the C library, whose bits depend on the machine: expected portable::{called.removesuffix('f')} (common/portable.h)")
+    if read != TRACERS:
+        fail(f"{', '.join(libraries)} have {sorted(read)}, expected {sorted(TRACERS)}: what the tracer calls is not known")
 
 
 def compare_stored(native):

@@ -21,8 +21,7 @@ HEAD = """
 [camera]
 eye = [0, 0, 0]
 target = [0, 0, -1]
-width = {size}
-height = {size}
+size = [{size}, {size}]
 [trace]
 max_depth = {depth}
 [materials.glass]
@@ -71,8 +70,8 @@ class Stop(Signalled):
                             ("lesson06", "panes.toml", "--spp", 65536, "--out", "p.png")):
                 before = sorted(self.here.iterdir())
                 process = self.start(*command)
-                while b"can lead to" not in process.stderr.readline():  # what is said before it begins
-                    pass
+                said = iter(process.stderr.readline, b"")
+                self.assertTrue(any(b"can lead to" in line for line in said))  # before it begins
                 time.sleep(0.5)
                 self.assertEqual(self.ended(process, number), "interrupted: nothing was written\n")
                 self.assertEqual(sorted(self.here.iterdir()), before)

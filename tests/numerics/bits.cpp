@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "common/guarded_main.h"
-#include "common/render.h"
+#include "common/pixel.h"
 #include "lessons/08_phong/trace.h"
 #include "tests/common/random_scene.h"
 

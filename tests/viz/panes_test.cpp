@@ -93,6 +93,7 @@ TEST(Screen, WindowsLieOnTheMonitorOfThePointerAndBesidePanels)
     expect(areaFor(screen, {left, right}, 5, 5, {0, 30, 3200, 1100}), {0, 30, 1600, 1100});
     expect(areaFor(screen, {left, right}, 2000, 500, {0, 30, 3200, 1100}), right);
     expect(areaFor(screen, {left, right}, 2000, 500, {0, 0, 1600, 1100}), right); // a panel cannot cover all of it
+    expect(areaFor(screen, {{0, 0, 1920, 1080}, {0, 0, 1024, 768}}, 5, 5, {}), {0, 0, 1024, 768}); // a projector
     expect(areaFor({0, 0, 800, 600}, {{0, 0, 1600, 1200}}, 0, 0, {}), {0, 0, 800, 600});
 }
 

@@ -3,6 +3,7 @@
 Through the library of X that the viewer needs anyway, so that no program must be installed for it.
 """
 import ctypes
+import socket
 import struct
 import threading
 
@@ -54,6 +55,29 @@ class Desktop:
 
     def work_area(self, *areas):
         self.set("_NET_WORKAREA", "CARDINAL", [number for area in areas for number in area])
+
+    def monitors(self, screen, *areas):
+        """Monitors that show parts of the screen, as XRandR 1.5 lets users define them, in plain words of X's protocol: the
+        library for it need not be there. The one that shows all of it stays."""
+        with socket.socket(socket.AF_UNIX) as server:
+            server.connect("/tmp/.X11-unix/X" + screen.env["DISPLAY"].removeprefix(":"))
+
+            def receive(count):
+                data = b""
+                while len(data) < count:
+                    data += server.recv(count - len(data))
+                return data
+
+            server.sendall(struct.pack("<BxHHHHxx", ord("l"), 11, 0, 0, 0))
+            receive(4 * struct.unpack("<xxxxxxH", receive(8))[0])
+            server.sendall(struct.pack("<BxHHxx", 98, 4, 5) + b"RANDR" + bytes(3))  # QueryExtension
+            _, opcode = struct.unpack("<BB", receive(32)[8:10])
+            for i, (x, y, width, height) in enumerate(areas):  # RRSetMonitor
+                server.sendall(struct.pack("<BBHIIBBHhhHHII", opcode, 43, 8, self.root, self.atom(f"monitor{i}"), False, False, 0,
+                                           x, y, width, height, 100, 100))
+            server.sendall(struct.pack("<BxH", 43, 1))  # GetInputFocus: once it is answered, all is done
+            if receive(32)[0] != 1:
+                raise AssertionError("monitors cannot be defined")
 
     def manage(self, frame=None):
         """There is a window manager. It says which frame (left, right, top, bottom) a window will get, if one is given."""

@@ -5,6 +5,7 @@
 #include "common/process.h"
 #include "tests/grade/box/box.h"
 #include "tests/grade/box/machine.h"
+#include "tests/grade/box/temporary_folder.h"
 
 namespace rt::grade
 {
@@ -65,26 +66,23 @@ std::vector<std::string> withoutBubblewrap(std::vector<std::string> user = {})
 
 /// Opens the way to the project for other users, for the command that follows: where a folder above it is closed to them, as
 /// root's home is, an open one with nothing but the project in it takes its place in a mount namespace of its own.
-constexpr const char* openWay = R"(
+constexpr const char* openWay = R"sh(
 set -e
-project=$1; shift
+project=$1 open=$2; shift 2
 closed=$project
 way=""
 while [ "$closed" != / ]; do
     closed=$(dirname "$closed")
-    case "$(stat -c %A "$closed")" in *x | *t) ;
-; *) way=$closed ;
-;
-esac done if[-n "$way"]; then
+    case "$(stat -c %A "$closed")" in *x | *t) ;; *) way=$closed ;; esac
+done
+if [ -n "$way" ]; then
     umask 022
-    open=$(mktemp -d)
-    chmod 755 "$open"
     mkdir -p "$open/${project#"$way"/}"
     mount --bind "$project" "$open/${project#"$way"/}"
     mount --rbind "$open" "$way"
 fi
 exec setpriv --reuid 60580 --regid 60580 --clear-groups "$@"
-)";
+)sh";
 
 } // namespace
 
@@ -126,9 +124,11 @@ TEST(SelfTest, HoldsForAnOrdinaryUser)
 {
     if (!isRoot()) return; // all of this runs as one
     if (!noBubblewrap().empty()) GTEST_SKIP() << noBubblewrap();
-    const auto result = runOtherwise(
-        {"/usr/bin/unshare", "--mount", "--propagation", "private", "sh", "-c", openWay, "sh", RAYTREE_SOURCE_DIR},
-        "SelfTest.FindsBubblewrapTight:Each/InABox.*/bubblewrap:Compiling.WorksInEverySandbox-*Ignoring*");
+    const TemporaryFolder open;
+    const auto result =
+        runOtherwise({"/usr/bin/unshare", "--mount", "--propagation", "private", "sh", "-c", openWay, "sh",
+                      RAYTREE_SOURCE_DIR, open.path},
+                     "SelfTest.FindsBubblewrapTight:Each/InABox.*/bubblewrap:Compiling.WorksInEverySandbox-*Ignoring*");
     EXPECT_TRUE(result.ok()) << result.out << result.err;
 }
 
