@@ -25,10 +25,10 @@ const PictureModule& load(const std::string& picture)
 } // namespace
 
 NeedsOpenImageIO::NeedsOpenImageIO(const std::string& picture)
-    : sentence(
-          fmt::format("{}: to read a picture, or write .exr or .hdr, OpenImageIO is needed, and raytree was built without "
-                      "(RAYTREE_PICTURES in CMake); .png and .ppm can be written all the same",
-                      picture))
+    : sentence(fmt::format(
+          "{}: to read a picture, or write .exr or .hdr, OpenImageIO is needed, and raytree was built without "
+          "(RAYTREE_PICTURES in CMake); .png and .ppm can be written all the same",
+          picture))
 {
 }
 
