@@ -16,7 +16,7 @@ import unittest
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 from programs import BIN, ROOT, ProgramTest, is_alive, wait_until, wait_until_it_watches
 
-PATIENCE = 60
+PATIENCE = 600
 HEAD = """
 [camera]
 eye = [0, 0, 0]
