@@ -19,7 +19,7 @@ void endAtInterrupt();
 struct AfterInterrupt
 {
     /// So long the program has to end by itself, before it is ended from outside.
-    std::chrono::milliseconds patience{150};
+    std::chrono::milliseconds patience{100};
     /// What is then said; empty: the sentence of sayInterrupted(). Called from another thread.
     std::function<std::string()> words = {};
 };

@@ -113,6 +113,10 @@ class Elsewhere:
         pathlib.Path(self.wine.name, ".update-timestamp").write_text("disable")
         self.environment |= {"WINEPREFIX": self.wine.name, "WINEDEBUG": "-all", "WINEBOOTSTRAPMODE": "1", "WINEDLLOVERRIDES": "mscoree,mshtml,winemenubuilder.exe=d"}
         self.environment.pop("DISPLAY", None)
+        tried = subprocess.run(self.runs, cwd=self.folder, env=self.environment, capture_output=True)
+        if b"usage: elsewhere" not in tried.stderr: # another Wine: as it likes it
+            del self.environment["WINEBOOTSTRAPMODE"]
+            pathlib.Path(self.wine.name, ".update-timestamp").unlink()
 
     def __call__(self, *words):
         return lines(run([*self.runs, "scenes", *words], cwd=self.folder, env=self.environment))
