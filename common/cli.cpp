@@ -76,7 +76,7 @@ void addTraceOptions(CLI::App& app, TraceOptions& options)
            "--depth", options.depth,
            fmt::format(
                "MAXDEPTH: rays of this depth are traced, deeper ones are not; glass doubles their number at each "
-               "depth, and a pixel that leads to more than {} rays ends the program",
+               "depth, and a pixel that leads to more than {} rays is refused",
                rayLimitText))
         ->check(CLI::Range(0, deepestTrace))
         ->type_name("N");

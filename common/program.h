@@ -14,7 +14,7 @@ enum ExitCode
     exitDone = 0,
     exitBadInput = 2,
     exitNoDisplay = 3,
-    exitNeedsOpenImageIO = 5, ///< and no front door ($RAYTREE_DOOR) is there to install it; 4 is `trade`'s
+    exitNeedsOpenImageIO = 5, ///< and no front door (RAYTREE_DOOR) is there to install it; 4 is `trade`'s
     exitInterrupted = 130
 };
 

@@ -56,7 +56,7 @@ std::string growthWarning(const SceneDescription& scene, const FeatureSet& model
     if (2 * deepest - 1 + deepest * lamps <= double(rayLimit)) return "";
     return fmt::format(
         "{}: at depth {} a pixel can lead to 2^{} rays, since glass splits each in two; one that leads to more "
-        "than {} ends the program",
+        "than {} is refused",
         scene.file, depth, depth, rayLimitText);
 }
 

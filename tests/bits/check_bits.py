@@ -18,10 +18,10 @@ import tempfile
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 WIDGETS = ROOT / "slides-notes/site/widgets"
-STACK = 8 << 20 # bytes, as on Linux
+STACK = 8 << 20  # bytes, as on Linux
 # Functions of the C library for double and float that are not exact; long double's bits are not promised.
 OPEN = r"(a?(sin|cos|tan)h?|atan2|sincos|exp|exp2|exp10|expm1|log|log2|log10|log1p|pow|hypot|cbrt|erfc?|[lt]gamma|fma)f?"
-TRACERS = {"entry.cpp.o", "scene.cpp.o"} # objects of the lessons and of what they ask
+TRACERS = {"entry.cpp.o", "scene.cpp.o"}  # objects of the lessons and of what they ask
 FUNCTIONS = ["pow", "atan2", "acos", "hypot", "sin", "tan", "u of an angular sky", "v of an angular sky"] # as in compared.h
 
 
@@ -190,7 +190,8 @@ def check_calls(libraries):
     read = set()
     for library in libraries:
         for line in lines(run([reader, "-A", "--undefined-only", library])):
-            place, called = line.split()[0].rstrip(":"), line.split()[-1]
+            place, _, called = line.rsplit(None, 2)  # a path may have blanks
+            place = place.rstrip(":")
             member = place.split(":")[-1]
             if member not in TRACERS:
                 continue

@@ -3,6 +3,7 @@
 // usage: elsewhere SCENES [FILE LESSON TYPE OUT]   SCENES is what `bits_native --scenes SCENES` has written; see compared.h
 #include <iterator>
 
+#include "common/guarded_main.h"
 #include "common/pixel.h"
 #include "common/tree_recorder.h"
 #include "lessons/01_direct_illumination/trace.h"
@@ -67,9 +68,7 @@ bits::Traced trace(const bits::Shipped& shipped, int lesson, Real)
     }
 }
 
-} // namespace
-
-int main(int argc, char** argv)
+int run(int argc, char** argv)
 {
     if (argc != 2 && argc != 6)
     {
@@ -86,4 +85,11 @@ int main(int argc, char** argv)
     const auto scenes = grade::decode<std::vector<bits::Shipped>>(bytes);
     return bits::run(scenes, {argv + 2, argv + argc},
                      [](const auto& shipped, int lesson, auto zero) { return trace(shipped, lesson, zero); });
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    return rt::guarded(argv, [&] { return run(argc, argv); });
 }

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "common/cli.h"
+#include "common/guarded_main.h"
 #include "common/scene_file.h"
 #include "lessons/registry.h"
 #include "tests/bits/compared.h"
@@ -45,9 +46,7 @@ bits::Traced trace(const bits::Shipped& shipped, int number, Precision precision
     return traced;
 }
 
-} // namespace
-
-int main(int argc, char** argv)
+int run(int argc, char** argv)
 {
     CLI::App app(
         "Prints a line of hashes for each shipped scene, lesson and type: of its picture's and its ray tree's bits");
@@ -73,4 +72,11 @@ int main(int argc, char** argv)
             return trace(shipped, lesson, sizeof zero == sizeof(float) ? Precision::floating : Precision::doubled);
         });
     });
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    return rt::guarded(argv, [&] { return run(argc, argv); });
 }

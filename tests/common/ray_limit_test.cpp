@@ -195,7 +195,7 @@ TEST(TreeGrowth, IsForetoldWhereATreeCanExceedTheLimit)
     EXPECT_EQ(
         growthWarning(panes(6, 300), lesson(6)),
         "panes.toml: at depth 300 a pixel can lead to 2^300 rays, since glass splits each in two; one that leads to "
-        "more than 1,000,000 ends the program");
+        "more than 1,000,000 is refused");
     EXPECT_NE(growthWarning(panes(2, 19), lesson(8)), "");
     EXPECT_NE(growthWarning(panes(2, 18), lesson(8)), "") << "with the shadow rays of two lamps";
     EXPECT_EQ(growthWarning(panes(2, 17), lesson(8)), "");

@@ -150,7 +150,7 @@ UNGUARDED = {"tests/grade/box/launch_main.cpp": "it calls C only, and becomes an
 
 def check_mains():
     """No program ends by an uncaught exception: all that a main does is to return what common/guarded_main.h guards."""
-    guarded = re.compile(r"int main\(int argc, char\*\* argv\)\n\{\n(?:    using namespace [\w:]+;\n)*    return (?:rt::)?guarded\(\s*argv, .*?\);\n\}\n", re.S)
+    guarded = re.compile(r"int main\(int(?: argc)?, char\*\* argv\)\n\{\n(?:    using namespace [\w:]+;\n)*    return (?:rt::)?guarded\(\s*argv, .*?\);\n\}\n", re.S)
     unguarded = set()
     for path in sorted(p for folder in ("common", "lessons", "viz", "tests", "slides-notes") for p in sources(folder) + list((ROOT / folder).rglob("*.cpp.in"))):
         name, text = str(path.relative_to(ROOT)), path.read_text()

@@ -184,7 +184,7 @@ int run()
 
 } // namespace
 
-int main(int argc, char** argv)
+int main(int, char** argv)
 {
     return rt::guarded(argv, [] { return run(); });
 }

@@ -1,5 +1,7 @@
 #include "viz/controller.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "common/cli.h"
@@ -315,6 +317,40 @@ TEST(SlowSource, AFailureAtTheStartIsSaidNotThrown)
     controller.wait();
     EXPECT_EQ(controller.message(), "no tree");
     EXPECT_EQ(controller.node(), nullptr);
+}
+
+TEST(Controller, SaysThatThereAreTooManyRaysAndLivesOn)
+{
+    Session session = mirrorSession();
+    session.source = lessonSource(*findLesson(6), Precision::doubled);
+    session.scene = loadScene(projectFile("lessons/06_fresnel/scenes/half_and_glass.toml"));
+    session.scene.camera.width = session.scene.camera.height = 2;
+    session.scene.spheres.clear();
+    session.scene.planes.clear();
+    const auto& all = session.scene.materials;
+    const auto glass = std::find_if(all.begin(), all.end(), [](const auto& mat) { return mat.isDielectric(); });
+    for (int i = 1; i <= 6; ++i)
+        session.scene.planes.push_back(
+            {.point = {0, 0, -double(i)}, .normal = {0, 0, 1}, .material = int(glass - all.begin())});
+    session.scene.camera.eye = {0, 0, 0};
+    session.scene.camera.target = {0, 0, -1};
+    session.scene.trace.maxDepth = 64;
+    session.probe = std::array{1, 1};
+    Controller controller(std::move(session));
+    EXPECT_TRUE(controller.message().starts_with("pixel 1,1 leads to more than 1,000,000 rays"))
+        << controller.message();
+    EXPECT_EQ(controller.node(), nullptr);
+    EXPECT_EQ(controller.picture().width, 0);
+    controller.setMaxDepth(4);
+    controller.wait();
+    EXPECT_EQ(controller.message(), "");
+    EXPECT_NE(controller.node(), nullptr);
+    EXPECT_EQ(controller.picture().width, 2);
+    controller.setMaxDepth(64);
+    controller.wait();
+    EXPECT_TRUE(controller.message().starts_with("pixel 1,1 leads to more than 1,000,000 rays"))
+        << controller.message();
+    EXPECT_EQ(controller.picture().width, 2) << "the last picture stays";
 }
 
 TEST(NodeText, NamesEachFormulaAndFitsTheColumns)
