@@ -47,10 +47,10 @@ std::vector<std::string> linesOf(const std::string& path)
     return lines;
 }
 
-/// The kit of a lesson, where the box's user can read it.
-std::string kitFor(const Box& box, int lesson)
+/// The kit, where the box's user can read it.
+std::string kitFor(const Box& box, int lesson, Kit which)
 {
-    const std::string kit = lesson == 1 ? "01" : lesson == 4 ? "04" : "rest";
+    const std::string kit = which == Kit::whole ? "rest" : lesson == 1 ? "01" : lesson == 4 ? "04" : "rest";
     const std::string built = std::string(GRADE_KIT) + "/" + kit;
     if (canReach(box, built)) return built;
     // The course lies in somebody's home: a copy, once.
@@ -119,7 +119,7 @@ std::string tooMuch(const Child::End& end, const Limits& limits)
 } // namespace
 
 Compiled compileSubmission(const Box& box, int lesson, const std::string& exerciseText, const std::string& folder,
-                           Fill fill)
+                           Fill fill, Kit kit)
 {
     Compiled result;
     result.remarks = remarksOn(exerciseText, lesson);
@@ -127,7 +127,7 @@ Compiled compileSubmission(const Box& box, int lesson, const std::string& exerci
     if (!result.reason.empty()) return result;
 
     const TemporaryFolder work;
-    const CompilePlaces outside{kitFor(box, lesson), work.path + "/source", work.path + "/out"};
+    const CompilePlaces outside{kitFor(box, lesson, kit), work.path + "/source", work.path + "/out"};
     fs::create_directory(outside.source);
     fs::create_directory(outside.out);
     constexpr mode_t readable = 0755;

@@ -27,9 +27,16 @@ enum class Fill
     zero
 };
 
+/// What of the core the student's code is compiled with.
+enum class Kit
+{
+    ofLesson, ///< without the formulas that the lesson's exercises ask for
+    whole     ///< all of it: for one's own code, which nobody grades
+};
+
 /// Compiles the text of a lesson's exercise.h, 0 to 8, with the kit of the build, and writes the program into `folder`, which
 /// exists, as exerciseNN or, filled with zeros, exerciseNN_zero. Throws std::runtime_error if not the text is at fault.
 Compiled compileSubmission(const Box& box, int lesson, const std::string& exerciseText, const std::string& folder,
-                           Fill fill = Fill::pattern);
+                           Fill fill = Fill::pattern, Kit kit = Kit::ofLesson);
 
 } // namespace rt::grade

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Makes the kits: what the compile box sees. One a group of lessons, as a lesson's own functions must not be in it.
 
-    make_kit.py OUT COMPILER
+    make_kit.py OUT COMPILER KIT
 
-writes OUT/01, OUT/04 and OUT/rest, each with the headers that tests/grade/wire/student.h needs, precompiled, the runner's
+writes OUT/KIT, which is 01, 04 or rest, with the headers that tests/grade/wire/student.h needs, precompiled, the runner's
 object and exercise.student.cpp; and OUT/flags, one a line, that all of it is and must be compiled with, and OUT/compiler. In OUT/01 rays meet neither spheres nor planes; in OUT/01 and OUT/04
 the lat-long map throws NotAttempted.
 """
@@ -62,24 +62,23 @@ def stubbed(text, ids):
 
 
 def main():
-    out, compiler = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2]
-    if out.exists():
-        shutil.rmtree(out)
-    files = headers(compiler)
-    for kit, ids in STUBS.items():
-        replaced = 0
-        for file in files:
-            text, count = stubbed((ROOT / file).read_text(), ids)
-            replaced += count
-            (out / kit / file).parent.mkdir(parents=True, exist_ok=True)
-            (out / kit / file).write_text(text)
-        if replaced != len(ids):
-            sys.exit(f"make_kit.py: kit {kit}: {len(ids)} solutions should be replaced, {replaced} were found")
-        run = [compiler, *FLAGS, "-I."]
-        runner = f"{WIRE}/runner.student.cpp"
-        subprocess.run([*run, FILL, "-c", runner, "-o", "runner.o"], cwd=out / kit, check=True)
-        (out / kit / runner).unlink()
-        subprocess.run([*run, FILL, "-x", "c++-header", f"{WIRE}/student.h"], cwd=out / kit, check=True)
+    out, compiler, kit = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2], sys.argv[3]
+    ids = STUBS[kit]
+    if (out / kit).exists():
+        shutil.rmtree(out / kit)
+    replaced = 0
+    for file in headers(compiler):
+        text, count = stubbed((ROOT / file).read_text(), ids)
+        replaced += count
+        (out / kit / file).parent.mkdir(parents=True, exist_ok=True)
+        (out / kit / file).write_text(text)
+    if replaced != len(ids):
+        sys.exit(f"make_kit.py: kit {kit}: {len(ids)} solutions should be replaced, {replaced} were found")
+    run = [compiler, *FLAGS, "-I."]
+    runner = f"{WIRE}/runner.student.cpp"
+    subprocess.run([*run, FILL, "-c", runner, "-o", "runner.o"], cwd=out / kit, check=True)
+    (out / kit / runner).unlink()
+    subprocess.run([*run, FILL, "-x", "c++-header", f"{WIRE}/student.h"], cwd=out / kit, check=True)
     (out / "flags").write_text("\n".join(FLAGS) + "\n")
     (out / "compiler").write_text(str(pathlib.Path(shutil.which(compiler)).resolve()) + "\n")
 

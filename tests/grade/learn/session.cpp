@@ -112,7 +112,7 @@ LessonRun runLesson(const Session& session, int lesson, const std::string& first
     const std::string text = readTextFile(session.fileOf(lesson));
     const Box box{Sandbox::none, 0};
     const TemporaryFolder folder;
-    const auto compiled = compileSubmission(box, lesson, text, folder.path);
+    const auto compiled = compileSubmission(box, lesson, text, folder.path, Fill::pattern, Kit::whole);
     LessonRun run{compiled.ok, compiled.reason, compiled.errors, compiled.remarks, {}, ""};
     if (!compiled.ok) return run;
     Remote remote(box, compiled.program, lesson, Limits());
