@@ -25,15 +25,14 @@ int wholeNumber(const std::string& text, const std::string& option, const char* 
     int value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size())
-        throw CLI::ValidationError(option, fmt::format("expected {}, got \"{}\"", expected, text));
+        throw UsageError(option, fmt::format("expected {}, got \"{}\"", expected, text));
     return value;
 }
 
 std::array<int, 2> pairOf(const std::string& text, char separator, const std::string& option, const char* expected)
 {
     const auto middle = text.find(separator);
-    if (middle == std::string::npos)
-        throw CLI::ValidationError(option, fmt::format("expected {}, got \"{}\"", expected, text));
+    if (middle == std::string::npos) throw UsageError(option, fmt::format("expected {}, got \"{}\"", expected, text));
     return {wholeNumber(text.substr(0, middle), option, expected),
             wholeNumber(text.substr(middle + 1), option, expected)};
 }
@@ -64,44 +63,35 @@ Precision TraceOptions::precision() const
     return real == "float" ? Precision::floating : real == "double" ? Precision::doubled : Precision::longDouble;
 }
 
-void addTraceOptions(CLI::App& app, TraceOptions& options)
+void addTraceOptions(CommandLine& app, TraceOptions& options)
 {
-    app.add_option("scene", options.scene, "scene file (TOML); default: the lesson's first scene")
-        ->type_name("SCENE.toml");
-    app.add_option("--size", options.size, "size of the picture in pixels; default: the scene's")->type_name("WxH");
-    app.add_option("--real", options.real, "scalar type")
-        ->check(CLI::IsMember({"float", "double", "long-double"}))
-        ->capture_default_str();
-    app.add_option(
-           "--depth", options.depth,
-           fmt::format(
-               "MAXDEPTH: rays of this depth are traced, deeper ones are not; glass doubles their number at each "
-               "depth, and a pixel that leads to more than {} rays is refused",
-               rayLimitText))
-        ->check(CLI::Range(0, deepestTrace))
-        ->type_name("N");
-    app.add_option("--fresnel", options.fresnel, "how glass splits light; default: the scene's")
-        ->check(CLI::IsMember({"exact", "schlick", "none"}));
-    app.add_option("--spp", options.spp, "samples per pixel")
-        ->check(CLI::Range(1, 65536))
-        ->type_name("N")
-        ->capture_default_str();
-    app.add_option("--threads", options.threads, "threads; default: one a core")
-        ->check(CLI::Range(1, 1024))
-        ->type_name("N");
-    auto* pixel = app.add_option("--pixel", options.pixel, "the ray tree of this pixel: x to the right, y down")
-                      ->type_name("x,y");
-    app.add_option("--ray", options.ray, "the ray tree of one ray in world space")
-        ->type_name("ox,oy,oz,dx,dy,dz")
-        ->excludes(pixel);
+    app.option("scene", options.scene, "scene file (TOML); default: the lesson's first scene").type("SCENE.toml");
+    app.option("--size", options.size, "size of the picture in pixels; default: the scene's").type("WxH");
+    app.option("--real", options.real, "scalar type").oneOf({"float", "double", "long-double"}).showsDefault();
+    app.option("--depth", options.depth,
+               fmt::format(
+                   "MAXDEPTH: rays of this depth are traced, deeper ones are not; glass doubles their number at each "
+                   "depth, and a pixel that leads to more than {} rays is refused",
+                   rayLimitText))
+        .range(0, deepestTrace)
+        .type("N");
+    app.option("--fresnel", options.fresnel, "how glass splits light; default: the scene's")
+        .oneOf({"exact", "schlick", "none"});
+    app.option("--spp", options.spp, "samples per pixel").range(1, 65536).type("N").showsDefault();
+    app.option("--threads", options.threads, "threads; default: one a core").range(1, 1024).type("N");
+    const auto pixel =
+        app.option("--pixel", options.pixel, "the ray tree of this pixel: x to the right, y down").type("x,y");
+    app.option("--ray", options.ray, "the ray tree of one ray in world space")
+        .type("ox,oy,oz,dx,dy,dz")
+        .excludes(pixel);
 }
 
 std::vector<double> numbers(const std::string& text, std::size_t count, const std::string& option)
 {
     std::vector<double> values;
     const auto wrong = [&] {
-        return CLI::ValidationError(
-            option, fmt::format("expected {} finite numbers separated by commas, got \"{}\"", count, text));
+        return UsageError(option,
+                          fmt::format("expected {} finite numbers separated by commas, got \"{}\"", count, text));
     };
     const char *at = text.data(), *end = at + text.size();
     while (true)
@@ -128,7 +118,7 @@ SceneDescription loadScene(const TraceOptions& options)
         const auto [width, height] = pairOf(options.size, 'x', "--size", "WxH, as in 640x480");
         if (width < 1 || height < 1 || width > largestSide || height > largestSide ||
             width * std::int64_t(height) > mostPixels)
-            throw CLI::ValidationError("--size", "each side is 1 to 65536 pixels, and there are at most 2^28 pixels");
+            throw UsageError("--size", "each side is 1 to 65536 pixels, and there are at most 2^28 pixels");
         auto& camera = scene.camera;
         if (camera.pixelX >= 0) camera.pixelX = int(std::int64_t(camera.pixelX) * width / camera.width);
         if (camera.pixelY >= 0) camera.pixelY = int(std::int64_t(camera.pixelY) * height / camera.height);
@@ -148,44 +138,39 @@ Probe probe(const TraceOptions& options, const SceneDescription& scene)
     {
         const auto v = numbers(options.ray, 6, "--ray");
         const GivenRay ray{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
-        if (ray.direction == Vec3<double>(0)) throw CLI::ValidationError("--ray", "the direction must not be zero");
+        if (ray.direction == Vec3<double>(0)) throw UsageError("--ray", "the direction must not be zero");
         return ray;
     }
     if (options.pixel.empty()) return scene.pixel();
     const auto pixel = pairOf(options.pixel, ',', "--pixel", "x,y, as in 320,240");
     if (pixel[0] < 0 || pixel[1] < 0 || pixel[0] >= scene.camera.width || pixel[1] >= scene.camera.height)
-        throw CLI::ValidationError("--pixel", fmt::format("{},{} is outside the picture of {}x{} pixels", pixel[0],
-                                                          pixel[1], scene.camera.width, scene.camera.height));
+        throw UsageError("--pixel", fmt::format("{},{} is outside the picture of {}x{} pixels", pixel[0], pixel[1],
+                                                scene.camera.width, scene.camera.height));
     return pixel;
 }
 
-int runMain(CLI::App& app, int argc, char** argv, const std::function<int()>& work)
+int runMain(CommandLine& app, int argc, char** argv, const std::function<int()>& work)
 {
     endAtInterrupt();
     try
     {
-        app.parse(argc, argv);
-        return work();
+        return app.parse(argc, argv) ? work() : int(exitDone);
     }
     catch (const Stopped&)
     {
         return sayInterrupted();
     }
-    catch (const CLI::Success& help)
-    {
-        return app.exit(help);
-    }
     catch (const std::bad_alloc&)
     {
-        std::cerr << app.get_name() << ": out of memory\n";
+        std::cerr << app.program() << ": out of memory\n";
     }
     catch (const SceneError& error)
     {
         std::cerr << error.what() << '\n';
     }
-    catch (const CLI::ParseError& error)
+    catch (const UsageError& error)
     {
-        std::cerr << app.get_name() << ": " << error.what() << " (see --help)\n";
+        std::cerr << app.program() << ": " << error.what() << " (see --help)\n";
     }
     catch (const NeedsOpenImageIO& error)
     {
@@ -195,7 +180,7 @@ int runMain(CLI::App& app, int argc, char** argv, const std::function<int()>& wo
     }
     catch (const std::exception& error)
     {
-        std::cerr << app.get_name() << ": " << error.what() << '\n';
+        std::cerr << app.program() << ": " << error.what() << '\n';
     }
     return exitBadInput;
 }

@@ -3,8 +3,7 @@
 
 #include <string>
 
-#include <CLI/CLI.hpp>
-
+#include "common/command_line.h"
 #include "common/lesson_entry.h"
 #include "common/program.h"
 
@@ -28,20 +27,20 @@ struct TraceOptions
     bool hasProbe() const { return !pixel.empty() || !ray.empty(); }
 };
 
-void addTraceOptions(CLI::App& app, TraceOptions& options);
+void addTraceOptions(CommandLine& app, TraceOptions& options);
 
 /// Loads the scene and lets the options override it: size, depth, fresnel. A pixel of the file moves with a new size.
-/// Throws SceneError, or CLI::ValidationError when an option makes no sense.
+/// Throws SceneError, or UsageError when an option makes no sense.
 SceneDescription loadScene(const TraceOptions& options);
 
-/// The pixel or ray that was asked for, or the scene's own pixel. Throws CLI::ValidationError.
+/// The pixel or ray that was asked for, or the scene's own pixel. Throws UsageError.
 Probe probe(const TraceOptions& options, const SceneDescription& scene);
 
-/// Numbers separated by commas, exactly `count` of them, all finite. Throws CLI::ValidationError naming the option.
+/// Numbers separated by commas, exactly `count` of them, all finite. Throws UsageError naming the option.
 std::vector<double> numbers(const std::string& text, std::size_t count, const std::string& option);
 
 /// Runs a program's work. Every exception becomes one sentence on standard error and an exit code, and signals end it
 /// (interrupt.h).
-int runMain(CLI::App& app, int argc, char** argv, const std::function<int()>& work);
+int runMain(CommandLine& app, int argc, char** argv, const std::function<int()>& work);
 
 } // namespace rt

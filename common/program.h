@@ -1,4 +1,4 @@
-// What programs share beside their command lines (cli.h), without CLI11's header, the one that takes longest to compile.
+// What programs share beside their command lines (cli.h).
 #pragma once
 
 #include <functional>

@@ -42,18 +42,18 @@ int renderPicture(const LessonEntry& lesson, const SceneDescription& scene, cons
 
 } // namespace
 
-void addLessonOptions(CLI::App& app, LessonOptions& options)
+void addLessonOptions(CommandLine& app, LessonOptions& options)
 {
     addTraceOptions(app, options);
-    app.add_option("--out", options.out, "where the picture goes: .png, .ppm (8-bit sRGB), .exr or .hdr (linear)")
-        ->type_name("FILE");
-    app.add_option("--tree", options.tree, "print the ray tree of --pixel, --ray or the scene's own pixel")
-        ->check(CLI::IsMember({"text", "json"}));
-    app.add_flag("--explain", options.explain, "print each formula of that tree with its numbers");
-    app.add_flag("--force", options.force, "trace a scene that needs a later lesson, as far as this one can");
+    app.option("--out", options.out, "where the picture goes: .png, .ppm (8-bit sRGB), .exr or .hdr (linear)")
+        .type("FILE");
+    app.option("--tree", options.tree, "print the ray tree of --pixel, --ray or the scene's own pixel")
+        .oneOf({"text", "json"});
+    app.flag("--explain", options.explain, "print each formula of that tree with its numbers");
+    app.flag("--force", options.force, "trace a scene that needs a later lesson, as far as this one can");
 }
 
-void footer(CLI::App& app, const std::string& command)
+void footer(CommandLine& app, const std::string& command)
 {
     app.footer(fmt::format("Examples:\n"
                            "  {0}                                       its own first scene, to {1}.png\n"
@@ -61,7 +61,7 @@ void footer(CLI::App& app, const std::string& command)
                            "  {0} --pixel 320,240 --tree text           why has this pixel its colour?\n"
                            "  {0} --ray 0,1,5,0,0,-1 --tree json        one ray, for other programs\n"
                            "Exit codes: 0 done, 2 bad input or usage, 130 interrupted.",
-                           command, app.get_name()));
+                           command, app.program()));
 }
 
 int run(const LessonEntry& lesson, const SceneDescription& scene, const LessonOptions& options,
@@ -80,12 +80,13 @@ int run(const LessonEntry& lesson, const SceneDescription& scene, const LessonOp
 int programMain(const LessonEntry& lesson, const std::string& program, const char* what,
                 const LectureFormulas& formulas, int argc, char** argv, const std::vector<ExtraOption>& extra)
 {
-    CLI::App app(fmt::format("{} {:02}, {}. Lecture: {}.", what, lesson.number, lesson.title, lesson.slides), program);
+    CommandLine app(fmt::format("{} {:02}, {}. Lecture: {}.", what, lesson.number, lesson.title, lesson.slides),
+                    program);
     LessonOptions options;
     addLessonOptions(app, options);
     std::vector<std::string> values(extra.size());
     for (std::size_t i = 0; i < extra.size(); ++i)
-        app.add_option(extra[i].name, values[i], extra[i].help)->type_name(extra[i].type);
+        app.option(extra[i].name, values[i], extra[i].help).type(extra[i].type);
     footer(app, program);
     return runMain(app, argc, argv, [&] {
         for (std::size_t i = 0; i < extra.size(); ++i)

@@ -21,10 +21,10 @@ struct LessonOptions : TraceOptions
     }
 };
 
-void addLessonOptions(CLI::App& app, LessonOptions& options);
+void addLessonOptions(CommandLine& app, LessonOptions& options);
 
 /// Examples for the help.
-void footer(CLI::App& app, const std::string& command);
+void footer(CommandLine& app, const std::string& command);
 
 /// Prints the tree and writes the picture, as the options ask. Returns the exit code.
 int run(const LessonEntry& lesson, const SceneDescription& scene, const LessonOptions& options,

@@ -17,11 +17,11 @@ namespace
 
 int renderMain(int argc, char** argv)
 {
-    CLI::App app("Renders a scene with the first lesson that models all that it requires.", "render");
+    CommandLine app("Renders a scene with the first lesson that models all that it requires.", "render");
     LessonOptions options;
     addLessonOptions(app, options);
     footer(app, "render");
-    app.get_option("scene")->required()->description("scene file (TOML)");
+    app["scene"].required().help("scene file (TOML)");
     return runMain(app, argc, argv, [&] {
         const auto scene = loadScene(options);
         const auto* lesson = smallestLesson(scene);

@@ -13,7 +13,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "common/cli.h"
+#include "common/program.h"
 #include "viz/display_probe.h"
 
 namespace rt::viz

@@ -17,7 +17,7 @@
 #include <xcb/xcb.h>
 #include <xcb/xcbext.h>
 
-#include "common/cli.h" // before X, whose macro Success would meet a name in it
+#include "common/program.h"
 
 #include <GL/glx.h>
 #include <X11/Xatom.h>

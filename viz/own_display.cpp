@@ -21,7 +21,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "common/cli.h" // before X, whose macro Success would meet a name in it
+#include "common/program.h"
 
 #include <X11/Xlib.h>
 

@@ -56,7 +56,7 @@ const LessonEntry& lessonOf(const std::string& text)
     if (const auto* lesson = findLesson(number)) return *lesson;
     std::string known;
     for (const auto* lesson : lessons()) known += fmt::format("{}{}", known.empty() ? "" : ", ", lesson->number);
-    throw CLI::ValidationError("N", fmt::format("there is no lesson {}; there are {}", text, known));
+    throw UsageError("N", fmt::format("there is no lesson {}; there are {}", text, known));
 }
 
 std::array<int, 2> windowSize(const std::string& text)
@@ -67,8 +67,7 @@ std::array<int, 2> windowSize(const std::string& text)
     if (error == std::errc() && middle != end && *middle == 'x')
         if (const auto rest = std::from_chars(middle + 1, end, size[1]); rest.ec == std::errc() && rest.ptr == end)
             if (size[0] >= 640 && size[1] >= 400 && std::max(size[0], size[1]) <= largestWindow) return size;
-    throw CLI::ValidationError("--size-window",
-                               fmt::format("expected WxH from 640x400 to 8192x8192, got \"{}\"", text));
+    throw UsageError("--size-window", fmt::format("expected WxH from 640x400 to 8192x8192, got \"{}\"", text));
 }
 
 /// The scene of a tree from a file: the one that it names, if that can be read, or just a camera that looks along its ray.
@@ -140,8 +139,8 @@ Session chooseSession(ViewerOptions options, std::string& problem)
     if (options.scene.ends_with(".json"))
     {
         if (!options.tracer.empty() || !options.compare.empty())
-            throw CLI::ValidationError(options.compare.empty() ? "--tracer" : "--compare",
-                                       "expected a scene, not the file of a ray tree");
+            throw UsageError(options.compare.empty() ? "--tracer" : "--compare",
+                             "expected a scene, not the file of a ray tree");
         return sessionOfFile(options, problem);
     }
     const LessonEntry* lesson = options.lesson.empty() ? nullptr : &lessonOf(options.lesson);
@@ -380,7 +379,8 @@ int view(const ViewerOptions& options)
 
 int viewerMain(int argc, char** argv)
 {
-    CLI::App app("Shows a scene, the rays of one pixel in space, and each ray's formulas with its numbers.", "viewer");
+    CommandLine app("Shows a scene, the rays of one pixel in space, and each ray's formulas with its numbers.",
+                    "viewer");
     ViewerOptions options;
     const auto isNumber = [](const std::string& text) {
         const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
@@ -394,45 +394,40 @@ int viewerMain(int argc, char** argv)
         return isGood ? std::string()
                       : fmt::format("expected a number from {} to {}, got \"{}\"", smallestScale, largestScale, text);
     };
-    app.add_option("lesson", options.lesson, "number of a lesson; default: the first that models the scene")
-        ->check(CLI::Validator(isNumber, ""))
-        ->type_name("N");
-    app.validate_positionals();
+    app.option("lesson", options.lesson, "number of a lesson; default: the first that models the scene")
+        .check(isNumber)
+        .type("N");
+    app.triesNextPlace();
     addTraceOptions(app, options);
-    app.add_option("--screenshot", options.screenshot, "write a picture of the window and exit; needs no display")
-        ->type_name("FILE.png");
-    app.add_option("--size-window", options.windowSize,
-                   "size of the window in pixels; default: 1600x900 times the scale. A window is never larger than the "
-                   "screen has room for, a picture is")
-        ->type_name("WxH");
-    app.add_option(
-           "--scale", options.scale,
-           "pixels for each pixel of the design, of letters, lines and panes; default: for a window the largest of "
-           "Xft.dpi / 96, GDK_SCALE and QT_SCALE_FACTOR, for a picture 1")
-        ->check(CLI::Validator(isScale, ""))
-        ->type_name("X");
-    app.add_option("--export", options.exportTo,
-                   "write the ray tree as .json, .vtp, .glb, .gltf or .html, or all of them into a folder, and exit")
-        ->type_name("PATH");
-    app.add_option("--tracer", options.tracer,
-                   "show what this program traces: it is called with the scene and --tree json or --out FILE")
-        ->type_name("CMD");
-    app.add_option("--compare", options.compare,
-                   "a second tree over the first: exercise, exact, schlick, float, double, long-double, depth=N, "
-                   "lesson=N, a ray tree's .json file, or a program")
-        ->type_name("WHAT");
-    app.add_option("--script", options.script, "commands to run, or a file of them, and exit; see below")
-        ->type_name("TEXT|FILE");
-    app.add_option("--record", options.record, "write what is done in the window to a file")
-        ->excludes("--screenshot", "--export", "--script")
-        ->type_name("FILE");
-    app.add_option("--play", options.play, "do in the window what was recorded, at the size that it had then")
-        ->type_name("FILE");
-    app.add_option("--state", options.state, "at the end, write what is selected and shown as JSON")->type_name("FILE");
-    app.add_option("--look", options.look, "colours of the window")
-        ->check(CLI::IsMember({"dark", "light"}))
-        ->capture_default_str();
-    app.add_flag("--force", options.force, "show a scene that needs a later lesson, as far as this one can");
+    app.option("--screenshot", options.screenshot, "write a picture of the window and exit; needs no display")
+        .type("FILE.png");
+    app.option("--size-window", options.windowSize,
+               "size of the window in pixels; default: 1600x900 times the scale. A window is never larger than the "
+               "screen has room for, a picture is")
+        .type("WxH");
+    app.option("--scale", options.scale,
+               "pixels for each pixel of the design, of letters, lines and panes; default: for a window the largest of "
+               "Xft.dpi / 96, GDK_SCALE and QT_SCALE_FACTOR, for a picture 1")
+        .check(isScale)
+        .type("X");
+    app.option("--export", options.exportTo,
+               "write the ray tree as .json, .vtp, .glb, .gltf or .html, or all of them into a folder, and exit")
+        .type("PATH");
+    app.option("--tracer", options.tracer,
+               "show what this program traces: it is called with the scene and --tree json or --out FILE")
+        .type("CMD");
+    app.option("--compare", options.compare,
+               "a second tree over the first: exercise, exact, schlick, float, double, long-double, depth=N, "
+               "lesson=N, a ray tree's .json file, or a program")
+        .type("WHAT");
+    app.option("--script", options.script, "commands to run, or a file of them, and exit; see below").type("TEXT|FILE");
+    app.option("--record", options.record, "write what is done in the window to a file")
+        .excludes(app["--screenshot"], app["--export"], app["--script"])
+        .type("FILE");
+    app.option("--play", options.play, "do in the window what was recorded, at the size that it had then").type("FILE");
+    app.option("--state", options.state, "at the end, write what is selected and shown as JSON").type("FILE");
+    app.option("--look", options.look, "colours of the window").oneOf({"dark", "light"}).showsDefault();
+    app.flag("--force", options.force, "show a scene that needs a later lesson, as far as this one can");
     app.footer("The scene may also be a .json file that holds a ray tree.\n"
                "Examples:\n"
                "  viewer                              a scene with a pixel already chosen\n"

@@ -20,9 +20,9 @@ void checkPoints(const Point& P, const Point& Q, const std::vector<double>& valu
 {
     for (const double value : values)
         if (std::abs(value) > farthest)
-            throw CLI::ValidationError(option, fmt::format("coordinates go from -1e6 to 1e6, got {}", number(value)));
+            throw UsageError(option, fmt::format("coordinates go from -1e6 to 1e6, got {}", number(value)));
     if (length(Q - P) < nearest)
-        throw CLI::ValidationError(option, "the two points are the same, or nearly: a line needs two points");
+        throw UsageError(option, "the two points are the same, or nearly: a line needs two points");
 }
 
 Lines linesOf(const std::optional<std::string>& line2, const std::optional<std::string>& line3)
@@ -64,15 +64,14 @@ void writeFigures(const std::vector<Figure>& drawn, const std::string& folder)
 
 int geometryMain(const Functions& functions, const std::string& program, const Steps* steps, int argc, char** argv)
 {
-    CLI::App app(steps ? "Lesson 00, geometry: the answers to the lecture's \"Tutorial 2 - Geometry\", step by step."
-                       : "Exercise 00, geometry: your own answers to the lecture's \"Tutorial 2 - Geometry\".",
-                 program);
+    CommandLine app(steps ? "Lesson 00, geometry: the answers to the lecture's \"Tutorial 2 - Geometry\", step by step."
+                          : "Exercise 00, geometry: your own answers to the lecture's \"Tutorial 2 - Geometry\".",
+                    program);
     std::optional<std::string> line2, line3, folder;
-    app.add_option("--line2", line2, "two points of the line of exercise 1; default: -3,0,2,2")
-        ->type_name("x1,y1,x2,y2");
-    app.add_option("--line3", line3, "two points of the line of exercise 3; default: -4,1,1,2,2,5")
-        ->type_name("x1,y1,z1,x2,y2,z2");
-    app.add_option("--figures", folder, "also draw the figures, as SVG, into this folder")->type_name("DIR");
+    app.option("--line2", line2, "two points of the line of exercise 1; default: -3,0,2,2").type("x1,y1,x2,y2");
+    app.option("--line3", line3, "two points of the line of exercise 3; default: -4,1,1,2,2,5")
+        .type("x1,y1,z1,x2,y2,z2");
+    app.option("--figures", folder, "also draw the figures, as SVG, into this folder").type("DIR");
     app.footer(fmt::format("Examples:\n"
                            "  {0}                              the tutorial's own points\n"
                            "  {0} --line2 1,-1,1,5             a vertical line\n"
@@ -82,7 +81,7 @@ int geometryMain(const Functions& functions, const std::string& program, const S
                            program));
     return runMain(app, argc, argv, [&] {
         const Lines lines = linesOf(line2, line3);
-        if (folder && folder->empty()) throw CLI::ValidationError("--figures", "expected a folder, got nothing");
+        if (folder && folder->empty()) throw UsageError("--figures", "expected a folder, got nothing");
         const std::string text = tutorialText(functions, lines, steps);
         if (folder) writeFigures(figures(functions, lines), *folder);
         std::cout << text;

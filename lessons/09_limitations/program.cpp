@@ -28,27 +28,24 @@ struct Picture
     std::string path;
 };
 
-void addOptions(CLI::App& app, Options& options)
+void addOptions(CommandLine& app, Options& options)
 {
     std::vector<std::string> names;
     for (const auto& limitation : limitations()) names.emplace_back(limitation.name);
     options.spp = 0;
-    app.add_option("scene", options.scene, "scene file (TOML), with --limitation; default: the limitation's own scene")
-        ->type_name("SCENE.toml");
-    app.add_option("--limitation", options.limitation, "what to compare; default: all five, each with its own scene")
-        ->check(CLI::IsMember(names));
-    app.add_option("--light-radius", options.lightRadius, "of the spheres that lamps become; default: the limitation's")
-        ->check(CLI::Range(1e-6, 1e6))
-        ->type_name("R");
-    app.add_option("--spp", options.spp, "samples per pixel: paths in the reference; default: the limitation's")
-        ->check(CLI::Range(1, 65536))
-        ->type_name("N");
-    app.add_option("--size", options.size, "size of either half in pixels; default: the scene's")->type_name("WxH");
-    app.add_option("--threads", options.threads, "threads; default: one a core")
-        ->check(CLI::Range(1, 1024))
-        ->type_name("N");
-    app.add_option("--out", options.out, "where the pair goes, with --limitation: .png, .ppm, .exr or .hdr")
-        ->type_name("FILE");
+    app.option("scene", options.scene, "scene file (TOML), with --limitation; default: the limitation's own scene")
+        .type("SCENE.toml");
+    app.option("--limitation", options.limitation, "what to compare; default: all five, each with its own scene")
+        .oneOf(names);
+    app.option("--light-radius", options.lightRadius, "of the spheres that lamps become; default: the limitation's")
+        .range(1e-6, 1e6)
+        .type("R");
+    app.option("--spp", options.spp, "samples per pixel: paths in the reference; default: the limitation's")
+        .range(1, 65536)
+        .type("N");
+    app.option("--size", options.size, "size of either half in pixels; default: the scene's").type("WxH");
+    app.option("--threads", options.threads, "threads; default: one a core").range(1, 1024).type("N");
+    app.option("--out", options.out, "where the pair goes, with --limitation: .png, .ppm, .exr or .hdr").type("FILE");
     app.footer(
         "Examples:\n"
         "  lesson09                                  five pairs, lesson09_shadows.png and so on; a minute or two\n"
@@ -77,8 +74,8 @@ Image pair(const SceneDescription& scene, const Limitation& limitation, const Op
 int run(const Options& options)
 {
     if (options.limitation.empty() && !(options.scene.empty() && options.out.empty()))
-        throw CLI::ValidationError("--limitation", "is missing: a scene or --out is for one pair, not for all five");
-    if (std::isnan(options.lightRadius)) throw CLI::ValidationError("--light-radius", "expected a number, got nan");
+        throw UsageError("--limitation", "is missing: a scene or --out is for one pair, not for all five");
+    if (std::isnan(options.lightRadius)) throw UsageError("--light-radius", "expected a number, got nan");
     std::vector<const Limitation*> wanted;
     for (const auto& limitation : limitations())
         if (options.limitation.empty() || options.limitation == limitation.name) wanted.push_back(&limitation);
@@ -115,7 +112,7 @@ int run(const Options& options)
 
 int limitationsMain(int argc, char** argv)
 {
-    CLI::App app(
+    CommandLine app(
         "Lesson 09, Limitations: lesson 08's picture beside a brute-force reference. Lecture: \"Limitations of "
         "Whitted-style\".",
         "lesson09");

@@ -20,20 +20,16 @@ struct Options : TraceOptions
     std::string out;
 };
 
-void addOptions(CLI::App& app, Options& options)
+void addOptions(CommandLine& app, Options& options)
 {
     std::vector<std::string> names;
     for (const auto& exhibit : exhibits()) names.emplace_back(exhibit.name);
-    app.add_option("scene", options.scene, "scene file (TOML), with --exhibit; default: the exhibit's own scene")
-        ->type_name("SCENE.toml");
-    app.add_option("--exhibit", options.exhibit, "which poor choice; default: all, each in its own scene")
-        ->check(CLI::IsMember(names));
-    app.add_option("--size", options.size, "size of either half in pixels; default: the scene's")->type_name("WxH");
-    app.add_option("--threads", options.threads, "threads; default: one a core")
-        ->check(CLI::Range(1, 1024))
-        ->type_name("N");
-    app.add_option("--out", options.out, "where the pair goes, with --exhibit: .png, .ppm, .exr or .hdr")
-        ->type_name("FILE");
+    app.option("scene", options.scene, "scene file (TOML), with --exhibit; default: the exhibit's own scene")
+        .type("SCENE.toml");
+    app.option("--exhibit", options.exhibit, "which poor choice; default: all, each in its own scene").oneOf(names);
+    app.option("--size", options.size, "size of either half in pixels; default: the scene's").type("WxH");
+    app.option("--threads", options.threads, "threads; default: one a core").range(1, 1024).type("N");
+    app.option("--out", options.out, "where the pair goes, with --exhibit: .png, .ppm, .exr or .hdr").type("FILE");
     app.footer("Examples:\n"
                "  lesson10                                  all pairs, lesson10_acne.png and so on\n"
                "  lesson10 --exhibit acne --size 640x480 --out acne.png\n"
@@ -46,7 +42,7 @@ void addOptions(CLI::App& app, Options& options)
 int run(const Options& options)
 {
     if (options.exhibit.empty() && !(options.scene.empty() && options.out.empty()))
-        throw CLI::ValidationError("--exhibit", "is missing: a scene or --out is for one pair, not for all");
+        throw UsageError("--exhibit", "is missing: a scene or --out is for one pair, not for all");
     struct Pair
     {
         const Exhibit* exhibit;
@@ -95,7 +91,7 @@ int run(const Options& options)
 
 int exhibitsMain(int argc, char** argv)
 {
-    CLI::App app("Lesson 10, Speed and accuracy: poor choices, each beside what cures it.", "lesson10");
+    CommandLine app("Lesson 10, Speed and accuracy: poor choices, each beside what cures it.", "lesson10");
     Options options;
     addOptions(app, options);
     return runMain(app, argc, argv, [&] { return run(options); });

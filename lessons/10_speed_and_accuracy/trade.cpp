@@ -32,40 +32,38 @@ struct Options : TraceOptions
     int samples = 0;
 };
 
-void addOptions(CLI::App& app, Options& options)
+void addOptions(CommandLine& app, Options& options)
 {
-    app.add_option("scene", options.scene, "scene file (TOML); default: the seven scenes of lesson 10")
-        ->type_name("SCENE.toml");
-    app.add_flag("--quick", options.quick, "small pictures and few runs: under a minute");
-    app.add_option("--out", options.out,
-                   "folder for the report, default out/trade; with --budget or --accuracy the picture's file")
-        ->type_name("DIR");
-    auto* budget = app.add_option("--budget", options.budget,
-                                  "recommend the most accurate setting that renders the scene in this CPU "
-                                  "time of one thread, in ms or s, as in 100ms")
-                       ->type_name("TIME");
-    auto* accuracy = app.add_option("--accuracy", options.accuracy,
-                                    "recommend the fastest setting of at least this PSNR, as in 60dB")
-                         ->type_name("DB");
-    app.add_option("--against", options.against,
-                   "PSNR against the exact picture with the same samples (one), or against the picture "
-                   "of many samples (many)")
-        ->check(CLI::IsMember({"one", "many"}))
-        ->capture_default_str();
-    app.add_option(
+    app.option("scene", options.scene, "scene file (TOML); default: the seven scenes of lesson 10").type("SCENE.toml");
+    app.flag("--quick", options.quick, "small pictures and few runs: under a minute");
+    app.option("--out", options.out,
+               "folder for the report, default out/trade; with --budget or --accuracy the picture's file")
+        .type("DIR");
+    const auto budget = app.option("--budget", options.budget,
+                                   "recommend the most accurate setting that renders the scene in this CPU "
+                                   "time of one thread, in ms or s, as in 100ms")
+                            .type("TIME");
+    const auto accuracy =
+        app.option("--accuracy", options.accuracy, "recommend the fastest setting of at least this PSNR, as in 60dB")
+            .type("DB");
+    app.option("--against", options.against,
+               "PSNR against the exact picture with the same samples (one), or against the picture "
+               "of many samples (many)")
+        .oneOf({"one", "many"})
+        .showsDefault();
+    app.option(
            "--samples", options.samples,
            "samples of the picture of many samples; default: 1024, 64 with --quick, 256 with --budget or --accuracy")
-        ->check(CLI::Range(16, 65536))
-        ->type_name("N");
-    app.add_option("--size", options.size,
-                   "size of the pictures; default: 320x240, 112x84 with --quick, the scene's with --budget or "
-                   "--accuracy")
-        ->type_name("WxH");
-    auto* modelling =
-        app.add_flag("--modelling", options.modelling, "only what it costs to model more than a scene requires");
-    app.add_flag("--notes", options.notes, "also put the tables into the page of lesson 10")
-        ->excludes(budget, accuracy);
-    modelling->excludes(budget, accuracy);
+        .range(16, 65536)
+        .type("N");
+    app.option("--size", options.size,
+               "size of the pictures; default: 320x240, 112x84 with --quick, the scene's with --budget or "
+               "--accuracy")
+        .type("WxH");
+    const auto modelling =
+        app.flag("--modelling", options.modelling, "only what it costs to model more than a scene requires");
+    app.flag("--notes", options.notes, "also put the tables into the page of lesson 10").excludes(budget, accuracy);
+    modelling.excludes(budget, accuracy);
     app.footer(
         "Examples:\n"
         "  trade --quick                             trade.csv, modelling.csv, trade.html and plots in out/trade\n"
@@ -128,7 +126,7 @@ int recommendFor(const Options& options)
         }
         catch (const std::invalid_argument& error)
         {
-            throw CLI::ValidationError(option, error.what());
+            throw UsageError(option, error.what());
         }
     };
     if (!options.budget.empty()) wish.seconds = quantity("--budget", parseTime, options.budget);
@@ -237,10 +235,10 @@ int studyAll(const Options& options)
 
 int tradeMain(int argc, char** argv)
 {
-    CLI::App app("Measures what each approximation costs and buys; or, with --budget or --accuracy, recommends a "
-                 "setting for a scene, "
-                 "renders it and checks the promise.",
-                 "trade");
+    CommandLine app("Measures what each approximation costs and buys; or, with --budget or --accuracy, recommends a "
+                    "setting for a scene, "
+                    "renders it and checks the promise.",
+                    "trade");
     Options options;
     addOptions(app, options);
     return runMain(app, argc, argv, [&] {

@@ -2,8 +2,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include <CLI/CLI.hpp>
-
 #include "common/cli.h"
 #include "common/guarded_main.h"
 #include "common/scene_file.h"
@@ -48,14 +46,14 @@ bits::Traced trace(const bits::Shipped& shipped, int number, Precision precision
 
 int run(int argc, char** argv)
 {
-    CLI::App app(
+    CommandLine app(
         "Prints a line of hashes for each shipped scene, lesson and type: of its picture's and its ray tree's bits");
     std::string scenesFile, tree;
     std::vector<std::string> words;
-    app.add_option("--scenes", scenesFile, "write the scenes as data that the program for other machines reads");
-    app.add_option("--json", tree, "print the tree of these bytes as JSON");
-    app.add_option("one", words, "FILE LESSON TYPE OUT: write the bytes behind one line to OUT.picture and OUT.tree")
-        ->expected(4);
+    app.option("--scenes", scenesFile, "write the scenes as data that the program for other machines reads");
+    app.option("--json", tree, "print the tree of these bytes as JSON");
+    app.option("one", words, "FILE LESSON TYPE OUT: write the bytes behind one line to OUT.picture and OUT.tree")
+        .count(4);
     return runMain(app, argc, argv, [&] {
         if (!tree.empty())
         {

@@ -14,7 +14,7 @@ namespace
 
 TEST(RunMain, HasACodeOfItsOwnForWhatNeedsOpenImageIO)
 {
-    CLI::App app("a program", "program");
+    CommandLine app("a program", "program");
     unsetenv("RAYTREE_DOOR");
     char name[] = "program";
     char* argv[] = {name, nullptr};

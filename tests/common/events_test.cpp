@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "common/cli.h"
+#include "common/program.h"
 #include "common/scene_file.h"
 #include "lessons/registry.h"
 

@@ -42,55 +42,47 @@ struct Options
     bool resume = false, trusted = false, selfTestOnly = false;
 };
 
-void addOptions(CLI::App& app, Options& options)
+void addOptions(CommandLine& app, Options& options)
 {
     const auto lessons = exerciseLessons();
-    app.add_option("lesson", options.lesson,
-                   fmt::format("number of the lesson, {} to {}", lessons.front(), lessons.back()))
-        ->check(CLI::Validator(
-            [lessons](const std::string& text) {
-                for (const int lesson : lessons)
-                    if (std::to_string(lesson) == text) return std::string();
-                return fmt::format("\"{}\" is no lesson with exercises, expected one of {}", text,
-                                   fmt::join(lessons, ", "));
-            },
-            ""))
-        ->type_name("LESSON");
-    auto* many = app.add_option("--submissions", options.submissions,
-                                "folder of the class: each entry is a student's folder, archive or file")
-                     ->type_name("DIR");
-    auto* one =
-        app.add_option("--submission", options.submission, "one student's folder, archive or file, in place of a class")
-            ->type_name("PATH")
-            ->excludes(many);
-    app.add_option("--student", options.student, "with --submission: the student's name; default: the file's")
-        ->type_name("NAME")
-        ->needs(one);
-    app.add_option("--out", options.out, "folder of the results")->type_name("DIR");
-    app.add_option("--secret", options.secret,
-                   "file of the course's secret, at least 16 bytes: it decides the hidden cases; default: made once, "
-                   "OUT/secret")
-        ->type_name("FILE");
-    app.add_option("--term", options.term, "another term has other hidden cases")->type_name("TEXT");
-    app.add_option("--jobs", options.jobs, "submissions graded at the same time")
-        ->check(CLI::Range(1, 64))
-        ->type_name("N")
-        ->capture_default_str();
-    app.add_flag("--resume", options.resume,
-                 "keep results whose submission, grader, lesson and secret have not changed");
-    app.add_option("--shard", options.shard, "grade only the i-th of n parts of the class; grade_merge joins them")
-        ->type_name("i/n");
-    app.add_option("--cpu-seconds", options.cpuSeconds,
-                   "processor time that a student's program may take; wall time is 2.4 times that")
-        ->check(CLI::Range(0.5, 600.0))
-        ->type_name("S")
-        ->capture_default_str();
-    app.add_option("--sandbox", options.sandbox, "auto takes bubblewrap, or chroot where that cannot run")
-        ->check(CLI::IsMember({"auto", "bubblewrap", "chroot", "none"}))
-        ->capture_default_str();
-    app.add_flag("--i-trust-this-code", options.trusted,
-                 "with --sandbox none: run the submissions with your own rights");
-    app.add_flag("--self-test", options.selfTestOnly, "only try whether the sandbox holds, and say so");
+    app.option("lesson", options.lesson, fmt::format("number of the lesson, {} to {}", lessons.front(), lessons.back()))
+        .check([lessons](const std::string& text) {
+            for (const int lesson : lessons)
+                if (std::to_string(lesson) == text) return std::string();
+            return fmt::format("\"{}\" is no lesson with exercises, expected one of {}", text,
+                               fmt::join(lessons, ", "));
+        })
+        .type("LESSON");
+    const auto many = app.option("--submissions", options.submissions,
+                                 "folder of the class: each entry is a student's folder, archive or file")
+                          .type("DIR");
+    const auto one =
+        app.option("--submission", options.submission, "one student's folder, archive or file, in place of a class")
+            .type("PATH")
+            .excludes(many);
+    app.option("--student", options.student, "with --submission: the student's name; default: the file's")
+        .type("NAME")
+        .needs(one);
+    app.option("--out", options.out, "folder of the results").type("DIR");
+    app.option("--secret", options.secret,
+               "file of the course's secret, at least 16 bytes: it decides the hidden cases; default: made once, "
+               "OUT/secret")
+        .type("FILE");
+    app.option("--term", options.term, "another term has other hidden cases").type("TEXT");
+    app.option("--jobs", options.jobs, "submissions graded at the same time").range(1, 64).type("N").showsDefault();
+    app.flag("--resume", options.resume, "keep results whose submission, grader, lesson and secret have not changed");
+    app.option("--shard", options.shard, "grade only the i-th of n parts of the class; grade_merge joins them")
+        .type("i/n");
+    app.option("--cpu-seconds", options.cpuSeconds,
+               "processor time that a student's program may take; wall time is 2.4 times that")
+        .range(0.5, 600.0)
+        .type("S")
+        .showsDefault();
+    app.option("--sandbox", options.sandbox, "auto takes bubblewrap, or chroot where that cannot run")
+        .oneOf({"auto", "bubblewrap", "chroot", "none"})
+        .showsDefault();
+    app.flag("--i-trust-this-code", options.trusted, "with --sandbox none: run the submissions with your own rights");
+    app.flag("--self-test", options.selfTestOnly, "only try whether the sandbox holds, and say so");
     app.footer("Writes OUT/gradebook.csv, class.html, junit.xml, and for each student results/NAME/results.json and\n"
                "reports/NAME.html; what is for the instructor only lies in OUT/instructor.\n\n"
                "Examples:\n"
@@ -108,8 +100,8 @@ Shard shardOf(const std::string& text)
     int used = 0;
     const bool read = std::sscanf(text.c_str(), "%d/%d%n", &shard.part, &shard.of, &used) == 2;
     if (!read || std::size_t(used) != text.size() || shard.of < 1 || shard.part < 1 || shard.part > shard.of)
-        throw CLI::ValidationError(
-            "--shard", fmt::format("expected i/n with 1 <= i <= n, as in 2/8, got \"{}\"", onOneLine(text)));
+        throw UsageError("--shard",
+                         fmt::format("expected i/n with 1 <= i <= n, as in 2/8, got \"{}\"", onOneLine(text)));
     return shard;
 }
 
@@ -183,8 +175,7 @@ std::string secretOf(const Options& options)
     if (options.secret.empty() && !std::filesystem::exists(path))
     {
         if (!options.shard.empty())
-            throw CLI::ValidationError("--shard",
-                                       "all parts of a class need the same secret; name its file with --secret");
+            throw UsageError("--shard", "all parts of a class need the same secret; name its file with --secret");
         return "";
     }
     if (!std::filesystem::is_regular_file(path))
@@ -208,8 +199,8 @@ Sandbox sandboxOf(const Options& options)
     if (options.sandbox == "none")
     {
         if (!options.trusted)
-            throw CLI::ValidationError(
-                "--sandbox", "none runs the submissions with your own rights; say --i-trust-this-code if you mean it");
+            throw UsageError("--sandbox",
+                             "none runs the submissions with your own rights; say --i-trust-this-code if you mean it");
         return Sandbox::none;
     }
     if (options.sandbox == "auto")
@@ -263,9 +254,9 @@ int run(const Options& options)
         fmt::print("the sandbox {} holds\n", name(sandbox));
         return exitDone;
     }
-    if (options.lesson < 0) throw CLI::RequiredError("LESSON");
-    if (options.submissions.empty() == options.submission.empty()) throw CLI::RequiredError("--submissions");
-    if (options.out.empty()) throw CLI::RequiredError("--out");
+    if (options.lesson < 0) throw UsageError("LESSON is required");
+    if (options.submissions.empty() == options.submission.empty()) throw UsageError("--submissions is required");
+    if (options.out.empty()) throw UsageError("--out is required");
 
     const auto submissions = submissionsOf(options);
     ClassSetting setting;
@@ -306,7 +297,7 @@ int run(const Options& options)
 
 int gradeMain(int argc, char** argv)
 {
-    CLI::App app(
+    CommandLine app(
         "Grades a class: each submission is compiled and asked in a sandbox; what is right is decided outside.",
         "grade");
     Options options;

@@ -17,16 +17,12 @@ struct SceneOptions
     int depth = -1, lights = 0, repeat = 1;
 };
 
-inline void addSceneOptions(CLI::App& app, SceneOptions& options)
+inline void addSceneOptions(CommandLine& app, SceneOptions& options)
 {
-    app.add_option("scene", options.scene, "s1 .. s6, s5:N, s6:LEVELS or a file")->required()->type_name("SCENE");
-    app.add_option("--size", options.size, "size of the picture in pixels; default: the scene's")->type_name("WxH");
-    app.add_option("--depth", options.depth, "MAXDEPTH; default: the scene's")
-        ->check(CLI::Range(0, 1024))
-        ->type_name("N");
-    app.add_option("--lights", options.lights, "this many lights; default: the scene's")
-        ->check(CLI::Range(1, 4096))
-        ->type_name("N");
+    app.option("scene", options.scene, "s1 .. s6, s5:N, s6:LEVELS or a file").required().type("SCENE");
+    app.option("--size", options.size, "size of the picture in pixels; default: the scene's").type("WxH");
+    app.option("--depth", options.depth, "MAXDEPTH; default: the scene's").range(0, 1024).type("N");
+    app.option("--lights", options.lights, "this many lights; default: the scene's").range(1, 4096).type("N");
 }
 
 inline SceneDescription chosenScene(const SceneOptions& options)
@@ -37,8 +33,8 @@ inline SceneDescription chosenScene(const SceneOptions& options)
         int width = 0, height = 0, read = 0;
         if (std::sscanf(options.size.c_str(), "%dx%d%n", &width, &height, &read) != 2 ||
             std::size_t(read) != options.size.size() || width < 1 || height < 1 || width > 16384 || height > 16384)
-            throw CLI::ValidationError("--size", "expected WxH, each from 1 to 16384, as in 640x480; got \"" +
-                                                     options.size + '"');
+            throw UsageError("--size",
+                             "expected WxH, each from 1 to 16384, as in 640x480; got \"" + options.size + '"');
         setSize(scene, width, height);
     }
     if (options.depth >= 0) scene.trace.maxDepth = options.depth;
@@ -79,13 +75,11 @@ std::string json(const SceneDescription& scene, const Measured& measured);
 
 /// A measuring program: options, scene, measure(scene), its line of JSON.
 template <class Measure>
-int runBench(CLI::App& app, int argc, char** argv, SceneOptions& options, const Measure& measure)
+int runBench(CommandLine& app, int argc, char** argv, SceneOptions& options, const Measure& measure)
 {
     addSceneOptions(app, options);
-    app.add_option("--repeat", options.repeat, "pictures that are measured")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
-    app.add_option("--out", options.out, "write the picture: linear if .exr")->type_name("FILE");
+    app.option("--repeat", options.repeat, "pictures that are measured").range(1, 1000).showsDefault();
+    app.option("--out", options.out, "write the picture: linear if .exr").type("FILE");
     return runMain(app, argc, argv, [&] {
         if (!options.out.empty()) checkWritable(options.out);
         const auto scene = chosenScene(options);

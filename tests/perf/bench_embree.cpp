@@ -228,7 +228,7 @@ Measured measure(const SceneDescription& description, const SceneOptions& option
 
 int run(int argc, char** argv)
 {
-    CLI::App app("Measures one picture with Embree's sphere geometry; prints one line of JSON.", "bench_embree");
+    CommandLine app("Measures one picture with Embree's sphere geometry; prints one line of JSON.", "bench_embree");
     SceneOptions options;
     return runBench(app, argc, argv, options, [&](const SceneDescription& scene) { return measure(scene, options); });
 }

@@ -74,16 +74,14 @@ Measured measure(const SceneDescription& description, const Options& options)
 
 int run(int argc, char** argv)
 {
-    CLI::App app("Measures one picture with lesson 08's tracer; prints one line of JSON.", "bench_picture");
+    CommandLine app("Measures one picture with lesson 08's tracer; prints one line of JSON.", "bench_picture");
     Options options;
-    app.add_option("--real", options.real, "scalar type")
-        ->check(CLI::IsMember({"float", "double", "long-double"}))
-        ->capture_default_str();
-    app.add_option("--instructions", options.instructions, "baseline, or the best that the processor has")
-        ->check(CLI::IsMember({"baseline", "best"}))
-        ->capture_default_str();
-    app.add_option("--threads", options.threads, "threads")->check(CLI::Range(1, 1024))->capture_default_str();
-    app.add_flag("--count", options.count, "count rays, in one more picture that is not measured");
+    app.option("--real", options.real, "scalar type").oneOf({"float", "double", "long-double"}).showsDefault();
+    app.option("--instructions", options.instructions, "baseline, or the best that the processor has")
+        .oneOf({"baseline", "best"})
+        .showsDefault();
+    app.option("--threads", options.threads, "threads").range(1, 1024).showsDefault();
+    app.flag("--count", options.count, "count rays, in one more picture that is not measured");
     return runBench(app, argc, argv, options, [&](const SceneDescription& scene) {
         return options.real == "float"    ? measure<float>(scene, options)
                : options.real == "double" ? measure<double>(scene, options)

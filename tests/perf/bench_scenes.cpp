@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "common/cli.h"
+#include "common/program.h"
 #include "common/scene_file.h"
 
 namespace rt::perf

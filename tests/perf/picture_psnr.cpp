@@ -30,10 +30,10 @@ rt::Image linearImage(const std::string& path)
 
 int run(int argc, char** argv)
 {
-    CLI::App app("PSNR of a linear picture against a reference, peak 1, both clamped to [0, 1].", "picture_psnr");
+    CommandLine app("PSNR of a linear picture against a reference, peak 1, both clamped to [0, 1].", "picture_psnr");
     std::string picture, reference;
-    app.add_option("picture", picture, "linear: .exr, or .png of 16 bits")->required()->type_name("FILE");
-    app.add_option("reference", reference, "the same")->required()->type_name("FILE");
+    app.option("picture", picture, "linear: .exr, or .png of 16 bits").required().type("FILE");
+    app.option("reference", reference, "the same").required().type("FILE");
     return rt::runMain(app, argc, argv, [&] {
         rt::Image a = linearImage(picture), b = linearImage(reference);
         if (a.width != b.width || a.height != b.height)

@@ -11,11 +11,11 @@ namespace
 
 int run(int argc, char** argv)
 {
-    CLI::App app("Writes a scene in the language of POV-Ray 3.7.", "scene_to_pov");
+    CommandLine app("Writes a scene in the language of POV-Ray 3.7.", "scene_to_pov");
     rt::perf::SceneOptions options;
     std::string out;
     addSceneOptions(app, options);
-    app.add_option("--out", out, "file to write; default: standard output")->type_name("FILE.pov");
+    app.option("--out", out, "file to write; default: standard output").type("FILE.pov");
     app.footer("Its picture, linear, on one thread:\n"
                "  povray +Iscene.pov +Oscene.png +FN16 File_Gamma=1.0 +W1024 +H768 -A -D +WT1");
     return rt::runMain(app, argc, argv, [&] {

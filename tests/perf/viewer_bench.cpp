@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
-#include "common/cli.h"
 #include "common/guarded_main.h"
+#include "common/program.h"
 #include "common/scene_file.h"
 #include "lessons/registry.h"
 #include "viz/window.h"

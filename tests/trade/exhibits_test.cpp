@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "common/cli.h"
+#include "common/program.h"
 #include "common/scene_file.h"
 #include "lessons/10_speed_and_accuracy/modelling.h"
 #include "lessons/10_speed_and_accuracy/study.h"

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "common/cli.h"
+#include "common/program.h"
 #include "common/scene_file.h"
 #include "lessons/10_speed_and_accuracy/recommend.h"
 #include "lessons/10_speed_and_accuracy/report.h"

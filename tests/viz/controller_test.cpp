@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "common/cli.h"
+#include "common/program.h"
 #include "common/scene_file.h"
 #include "lessons/registry.h"
 #include "viz/node_text.h"

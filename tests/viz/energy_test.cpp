@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-#include "common/cli.h"
+#include "common/program.h"
 #include "common/scene_file.h"
 #include "lessons/registry.h"
 

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "common/cli.h"
 #include "common/events.h"
+#include "common/program.h"
 #include "common/scene_file.h"
 #include "lessons/formulas.h"
 #include "lessons/registry.h"

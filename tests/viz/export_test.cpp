@@ -16,8 +16,8 @@
 #include <vtkXMLPolyDataReader.h>
 
 #include "common/base64.h"
-#include "common/cli.h"
 #include "common/image.h"
+#include "common/program.h"
 #include "common/scene.h"
 #include "common/scene_file.h"
 #include "lessons/registry.h"

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "common/cli.h"
+#include "common/program.h"
 #include "lessons/registry.h"
 
 namespace rt::viz

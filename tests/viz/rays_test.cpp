@@ -5,7 +5,7 @@
 #include <glm/common.hpp>
 #include <gtest/gtest.h>
 
-#include "common/cli.h"
+#include "common/program.h"
 #include "common/scene_file.h"
 #include "lessons/registry.h"
 #include "viz/planes.h"

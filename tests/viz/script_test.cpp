@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "common/cli.h"
 #include "common/image.h"
+#include "common/program.h"
 #include "common/scene_file.h"
 #include "lessons/registry.h"
 #include "viz/state.h"

@@ -29,13 +29,12 @@ const Exercise& exerciseOf(const Session& session, const std::string& id)
     if (const auto* found = session.find(id)) return *found;
     std::string known;
     for (const auto& exercise : session.exercises) known += (known.empty() ? "" : ", ") + exercise.id;
-    throw CLI::ValidationError(fmt::format("there is no exercise \"{}\"; there are {}", id, known));
+    throw UsageError(fmt::format("there is no exercise \"{}\"; there are {}", id, known));
 }
 
 void needLesson(const Session& session, int lesson)
 {
-    if (session.lesson(lesson).empty())
-        throw CLI::ValidationError(fmt::format("there is no exercise of lesson {} here", lesson));
+    if (session.lesson(lesson).empty()) throw UsageError(fmt::format("there is no exercise of lesson {} here", lesson));
 }
 
 int run(const Options& options)
@@ -65,7 +64,7 @@ int run(const Options& options)
     {
         const auto& exercise = exerciseOf(session, options.exercise);
         if (options.once >= 0 && exercise.lesson != options.once)
-            throw CLI::ValidationError(fmt::format("{} is not of lesson {}", exercise.id, options.once));
+            throw UsageError(fmt::format("{} is not of lesson {}", exercise.id, options.once));
         session.progress.current = exercise.id;
     }
     const int lesson = options.once >= 0 ? options.once : options.lesson;
@@ -84,7 +83,7 @@ int run(const Options& options)
         }
     }
     else if (!options.file.empty())
-        throw CLI::ValidationError("--file needs the number of its lesson");
+        throw UsageError("--file needs the number of its lesson");
     // Without a terminal there are no keys to wait for: it prints, and ends.
     if (options.once >= 0) return once(session, options.once, options.exercise);
     if (!isTerminal()) return once(session, session.current().lesson, session.current().id);
@@ -93,17 +92,17 @@ int run(const Options& options)
 
 int learn(int argc, char** argv)
 {
-    CLI::App app("Shows which exercise is next, and says at each save of its file what is right and what is not.",
-                 "learn");
+    CommandLine app("Shows which exercise is next, and says at each save of its file what is right and what is not.",
+                    "learn");
     Options options;
-    app.add_option("lesson", options.lesson, "go to this lesson; default: where you were")->type_name("N");
-    app.add_option("--once", options.once, "run the exercises of this lesson once")->type_name("N");
-    app.add_option("--exercise", options.exercise, "only this one, as 02-reflect")->type_name("ID");
-    app.add_flag("--list", options.list, "all exercises and how far you are");
-    app.add_option("--hint", options.hint, "the hint of an exercise")->type_name("ID");
-    app.add_flag("--reset", options.reset, "forget the progress, not the code");
-    app.add_option("--file", options.file, "in place of the lesson's exercise.h")->check(CLI::ExistingFile);
-    app.add_option("--state", options.state, "where the progress is kept; default: .raytree-learn.json of the project");
+    app.option("lesson", options.lesson, "go to this lesson; default: where you were").type("N");
+    app.option("--once", options.once, "run the exercises of this lesson once").type("N");
+    app.option("--exercise", options.exercise, "only this one, as 02-reflect").type("ID");
+    app.flag("--list", options.list, "all exercises and how far you are");
+    app.option("--hint", options.hint, "the hint of an exercise").type("ID");
+    app.flag("--reset", options.reset, "forget the progress, not the code");
+    app.option("--file", options.file, "in place of the lesson's exercise.h").existingFile();
+    app.option("--state", options.state, "where the progress is kept; default: .raytree-learn.json of the project");
     app.footer("Keys: h hint, n next, p previous, r run again, q quit.\n"
                "Exit codes: 0 done, --once: all right; 1 --once: something is wrong or not attempted; 2 bad usage, 130 "
                "interrupted.");

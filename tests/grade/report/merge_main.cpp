@@ -14,12 +14,12 @@ namespace
 int run(int argc, char** argv)
 {
     using namespace rt;
-    CLI::App app("Writes OUT/gradebook.csv, OUT/junit.xml and OUT/class.html of results that were made apart.",
-                 "grade_merge");
+    CommandLine app("Writes OUT/gradebook.csv, OUT/junit.xml and OUT/class.html of results that were made apart.",
+                    "grade_merge");
     std::string out;
     std::vector<std::string> paths;
-    app.add_option("out", out, "folder to write to")->required();
-    app.add_option("results", paths, "files results.json, and folders that contain them")->required();
+    app.option("out", out, "folder to write to").required();
+    app.option("results", paths, "files results.json, and folders that contain them").required();
     return runMain(app, argc, argv, [&] {
         const auto results = grade::readClass(grade::findResults(paths));
         grade::writeMissingInstructorPages(out, results);
