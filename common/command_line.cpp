@@ -26,9 +26,10 @@ CLI::Validator inRange(Number least, Number most, const char* type)
     return {[=](const std::string& text) {
                 Number value{};
                 const bool isIn = readNumber(text, value) && value >= least && value <= most; // NaN is not
-                return isIn ? std::string() : fmt::format("Value {} not in range {} to {}", text, least, most);
+                return isIn ? std::string()
+                            : fmt::format("Value {} not in range {:.6g} to {:.6g}", text, double(least), double(most));
             },
-            fmt::format("{} in [{} - {}]", type, least, most)};
+            fmt::format("{} in [{:.6g} - {:.6g}]", type, double(least), double(most))};
 }
 
 /// Not by the templates of CLI11, which take long to compile. `read` says whether the word could be read.
