@@ -38,7 +38,7 @@ def check_arrows():
                 problems.append(f"common/{name}.h includes {include}: the core needs glm and the standard library only")
     only = {"vtk": ["viz"], "OpenImageIO/": ["common/openimageio.cpp"], "tbb/": ["common/parallel.cpp"],
             "toml++/": ["common/scene_file.cpp", "common/scene_reader.h", "common/scene_writer.cpp"],
-            "nlohmann/": ["common/ray_tree_json.cpp", "common/ray_tree_from_json.cpp", "viz"], "CLI/": ["common/cli.", "viz"],
+            "nlohmann/": ["common/ray_tree_json.cpp", "common/ray_tree_from_json.cpp", "viz"], "CLI/": ["common/command_line.cpp"],
             "lessons/": ["lessons", "viz", "tests"], "viz/": ["viz", "tests/viz", "tests/perf"], "tests/": ["tests"]}
     for folder in ("common", "lessons", "viz", "tests"):
         for path in sources(folder):
