@@ -136,4 +136,15 @@ struct SceneDescription
     }
 };
 
+/// Calls visit(corners, material) with each triangle of the scene, those of meshes too, in the order of their ids. What looks
+/// at all that a scene holds uses this: loops over `triangles` alone forget the meshes.
+template <class Visit>
+void forEachTriangle(const SceneDescription& scene, Visit&& visit)
+{
+    for (const auto& triangle : scene.triangles) visit(triangle.vertices, triangle.material);
+    for (const auto& mesh : scene.meshes)
+        if (mesh.triangles)
+            for (const auto& corners : *mesh.triangles) visit(corners, mesh.material);
+}
+
 } // namespace rt

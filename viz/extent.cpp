@@ -25,6 +25,17 @@ bool isNear(const vec3& point, const CameraDescription& camera)
 
 } // namespace
 
+std::optional<std::array<vec3, 2>> boxOf(const MeshDescription& mesh, const std::function<bool(const vec3&)>& counts)
+{
+    std::array<vec3, 2> box{vec3(infinity<double>), vec3(-infinity<double>)};
+    if (!mesh.triangles) return std::nullopt;
+    for (const auto& corners : *mesh.triangles)
+        for (const auto& p : corners)
+            if (!counts || counts(p)) box = {min(box[0], p), max(box[1], p)};
+    if (box[0].x <= box[1].x) return box;
+    return std::nullopt;
+}
+
 Extent around(const std::vector<vec3>& points, const Extent& fallback)
 {
     vec3 low(infinity<double>), high(-infinity<double>);
@@ -73,6 +84,10 @@ std::vector<vec3> objectPoints(const SceneDescription& scene)
     for (const auto& triangle : scene.triangles)
         for (const auto& vertex : triangle.vertices)
             if (isNear(vertex, scene.camera)) points.push_back(vertex);
+    for (const auto& mesh : scene.meshes)
+        if (const auto box = boxOf(mesh, [&](const vec3& p) { return isNear(p, scene.camera); }))
+            for (int corner = 0; corner < 8; ++corner)
+                points.emplace_back((*box)[corner & 1].x, (*box)[corner >> 1 & 1].y, (*box)[corner >> 2].z);
     return points;
 }
 
@@ -97,6 +112,10 @@ std::optional<double> sizeOf(const SceneDescription& scene, const std::string& p
     {
         const auto& [a, b, c] = scene.triangles[index].vertices;
         return std::max({length(b - a), length(c - b), length(a - c)}) / 2;
+    }
+    if (kind == "mesh" && index < scene.meshes.size())
+    {
+        if (const auto box = boxOf(scene.meshes[index])) return length((*box)[1] - (*box)[0]) / 2;
     }
     return std::nullopt;
 }

@@ -1,6 +1,10 @@
 // How large a scene is, for everything that must be drawn at a sensible size.
 #pragma once
 
+#include <array>
+#include <functional>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "common/ray_tree.h"
@@ -30,6 +34,10 @@ Extent extentOf(const SceneDescription& scene, const RayTree& tree);
 
 /// Corners of the objects' bounding boxes, the same objects that objectExtent counts.
 std::vector<vec3> objectPoints(const SceneDescription& scene);
+
+/// The lowest and the highest corner of a mesh, of those points that count; nothing if there are none.
+std::optional<std::array<vec3, 2>> boxOf(const MeshDescription& mesh,
+                                         const std::function<bool(const vec3&)>& counts = {});
 
 /// Does the sphere serve as a floor or a sky rather than as a thing to look at?
 bool isBackdrop(const SphereDescription& sphere, const CameraDescription& camera);

@@ -48,10 +48,7 @@ Json trianglesJson(const SceneDescription& scene)
 {
     using Corners = std::array<vec3, 3>;
     std::vector<std::pair<const Corners*, int>> all;
-    for (const auto& triangle : scene.triangles) all.emplace_back(&triangle.vertices, triangle.material);
-    for (const auto& mesh : scene.meshes)
-        if (mesh.triangles)
-            for (const auto& corners : *mesh.triangles) all.emplace_back(&corners, mesh.material);
+    forEachTriangle(scene, [&](const Corners& corners, int material) { all.emplace_back(&corners, material); });
     Json triangles = Json::array();
     const std::size_t stride = 1 + all.size() / mostTriangles;
     for (std::size_t i = 0; i < all.size(); i += stride)
@@ -121,31 +118,11 @@ Json planesJson(const SceneDescription& scene, const Extent& shown)
     return planes;
 }
 
-std::vector<vec3> meshCorners(const SceneDescription& scene)
-{
-    std::vector<vec3> corners;
-    for (const auto& mesh : scene.meshes)
-    {
-        if (!mesh.triangles || mesh.triangles->empty()) continue;
-        vec3 low(infinity<double>), high(-infinity<double>);
-        for (const auto& triangle : *mesh.triangles)
-            for (const auto& p : triangle)
-            {
-                low = min(low, p);
-                high = max(high, p);
-            }
-        for (int corner = 0; corner < 8; ++corner)
-            corners.emplace_back(corner & 1 ? low.x : high.x, corner & 2 ? low.y : high.y, corner & 4 ? low.z : high.z);
-    }
-    return corners;
-}
-
 /// What the first view must show, as the window chooses it.
 std::vector<vec3> shownPoints(const SceneDescription& scene, const RayDrawing& drawing, const Extent& objects,
                               const ImagePlane& screen, bool withLights)
 {
     auto points = objectPoints(scene);
-    for (const auto& p : meshCorners(scene)) points.push_back(p);
     for (const auto& p : rayPoints(drawing, withLights)) points.push_back(p);
     if (withLights)
         for (const auto& light : scene.lights) points.push_back(light.position);

@@ -62,12 +62,10 @@ ObjectMeshes objectMeshes(const SceneDescription& scene, const Extent& shown)
         else
             addSphere(meshFor(material), sphere.center, sphere.radius, sides, color);
     }
-    for (const auto& triangle : scene.triangles)
-    {
-        const auto& material = scene.materials[std::size_t(triangle.material)];
-        addTriangle(meshFor(material), triangle.vertices[0], triangle.vertices[1], triangle.vertices[2],
-                    screenColor(material.color));
-    }
+    forEachTriangle(scene, [&](const std::array<vec3, 3>& corners, int index) {
+        const auto& material = scene.materials[std::size_t(index)];
+        addTriangle(meshFor(material), corners[0], corners[1], corners[2], screenColor(material.color));
+    });
     return meshes;
 }
 

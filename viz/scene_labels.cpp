@@ -172,19 +172,32 @@ private:
             if (node.hit && met.size() < 8) met.insert(node.hit->primitive);
         for (const auto& shadow : tree.shadows)
             if (shadow.blocker && met.size() < 8) met.insert(shadow.blocker->primitive);
+        const vec3 down = -unit(scene.camera.up);
         for (std::size_t i = 0; i < scene.spheres.size(); ++i)
         {
             const auto name = fmt::format("sphere{}", i);
-            if (!met.count(name) || isBackdrop(scene.spheres[i], scene.camera)) continue;
             const auto& sphere = scene.spheres[i];
-            const vec3 down = -unit(scene.camera.up);
-            const auto at = projector(sphere.center + 0.62 * sphere.radius * down);
-            if (!at) continue;
-            auto& label = add(name, {Font::sans, 11.5, color::text.withAlpha(0.9)}, 10);
-            label.plate = color::dark.withAlpha(0.45);
-            label.request.anchors = {*at};
-            label.request.gap = canvas.px(1);
+            if (met.count(name) && !isBackdrop(sphere, scene.camera))
+                addObject(name, sphere.center + 0.62 * sphere.radius * down);
         }
+        for (std::size_t i = 0; i < scene.meshes.size(); ++i)
+        {
+            const auto name = fmt::format("mesh{}", i), its = name + ".";
+            const auto box = boxOf(scene.meshes[i]);
+            const auto isMet =
+                std::any_of(met.begin(), met.end(), [&](const auto& one) { return one.starts_with(its); });
+            if (isMet && box) addObject(name, 0.5 * ((*box)[0] + (*box)[1]));
+        }
+    }
+
+    void addObject(const std::string& name, const vec3& place)
+    {
+        const auto at = projector(place);
+        if (!at) return;
+        auto& label = add(name, {Font::sans, 11.5, color::text.withAlpha(0.9)}, 10);
+        label.plate = color::dark.withAlpha(0.45);
+        label.request.anchors = {*at};
+        label.request.gap = canvas.px(1);
     }
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "common/scene.h"
 #include "viz/mesh.h"
 
 namespace rt::viz
@@ -41,13 +42,25 @@ bool isOpaque(const Material<double>& material)
     return !material.isDielectric();
 }
 
+/// The triangles that hide what is behind them, those of meshes too, and nothing else.
+SceneDescription opaqueTriangles(const SceneDescription& scene)
+{
+    SceneDescription walls;
+    walls.materials = scene.materials;
+    forEachTriangle(scene, [&](const std::array<vec3, 3>& corners, int material) {
+        if (isOpaque(scene.materials[std::size_t(material)])) walls.triangles.push_back({corners, material});
+    });
+    return walls;
+}
+
 class Judge
 {
 public:
     vec3 up, forward;
 
     Judge(const RayDrawing& drawing, const SceneDescription& described)
-        : up(unit(described.camera.up)), forward(unit(described.camera.target - described.camera.eye)), scene(described)
+        : up(unit(described.camera.up)), forward(unit(described.camera.target - described.camera.eye)),
+          scene(described), size(drawing.size), walls(opaqueTriangles(described))
     {
         for (const auto& segment : drawing.segments)
             if (segment.role != RayRole::normal && segment.role != RayRole::beyond && sampled.size() < mostSampled)
@@ -72,7 +85,10 @@ public:
                 };
                 const double weight = importance(*segment);
                 all += weight;
-                if (std::none_of(scene.spheres.begin(), scene.spheres.end(), blocks)) seen += weight;
+                // From a little before the point, which may itself be a hit point on a triangle.
+                const Ray<double> out{.O = Point<double>(point + 1e-6 * size * towards), .D = towards};
+                if (std::none_of(scene.spheres.begin(), scene.spheres.end(), blocks) && !walls.intersect(out))
+                    seen += weight;
             }
         return all > 0 ? seen / all : 1;
     }
@@ -127,6 +143,8 @@ private:
     static constexpr std::size_t mostSampled = 60;
 
     const SceneDescription& scene;
+    double size;
+    Scene<double> walls;
     std::vector<const Segment*> sampled;
     std::vector<std::pair<const Segment*, const Segment*>> bends;
 
