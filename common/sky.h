@@ -23,8 +23,8 @@ struct SkyFormulas
     {
         // SOLUTION 04-latlong
         const Real longitude = portable::atan2(D.x, -D.z);                  // -pi .. pi
-        const Real latitude = portable::acos(std::clamp<Real>(D.y, -1, 1)); // 0 at the zenith .. pi
-        return {Real(0.5) + longitude / (2 * PI), latitude / PI};
+        const Real polar = portable::acos(std::clamp<Real>(D.y, -1, 1));     // 0 at the zenith .. pi
+        return {Real(0.5) + longitude / (2 * PI), polar / PI};
         // END
     }
 
