@@ -18,7 +18,7 @@ struct SkyFormulas
     using vec2 = std::array<Real, 2>;
     static constexpr Real PI = std::numbers::pi_v<Real>;
 
-    /// Longitude and angle to the zenith: the direction -z is the middle (0.5, 0.5), +x is right of it, +y is the top edge v = 0.
+    /// Longitude and angle to the zenith: -z is the middle (0.5, 0.5), +x is to its right, +y is the top edge v = 0.
     static vec2 latLong(const vec3& D)
     {
         // SOLUTION 04-latlong
