@@ -25,17 +25,16 @@ def text_page(site, page):
 
 
 def lesson_page(site, page):
-    """The notes, with the lesson's source before the questions, and the exercise as the lesson's README has it."""
+    """The notes, with the exercise as the lesson's README has it and then the lesson's source before the questions."""
     one = next(lesson for lesson in lessons() if lesson.notes == page.source)
     context, text = Context(site, page), without_title(page.source.read_text())
     text = TABLES.sub("", text)
     name = one.source.name
-    parts = f"## All of `{name}`\n\n<!-- listing: {one.number} -->\n\n"
+    parts = f"## Exercise\n\n<!-- exercises: {one.number} -->\n\n## All of `{name}`\n\n<!-- listing: {one.number} -->\n\n"
     if re.search(r"^## Exercise\n", text, re.M):
-        text = re.sub(r"^## Exercise\n.*?(?=^## |\Z)", parts + f"## Exercise\n\n<!-- exercises: {one.number} -->\n\n",
-                      text, flags=re.M | re.S)
+        text = re.sub(r"^## Exercise\n.*?(?=^## |\Z)", parts, text, flags=re.M | re.S)
     else:
-        text = re.sub(r"^## Questions", lambda match: f"{parts}## Exercise\n\n<!-- exercises: {one.number} -->\n\n" + match[0], text, flags=re.M)
+        text = re.sub(r"^## Questions", lambda match: parts + match[0], text, flags=re.M)
     if one.number == "10":
         text = re.sub(r"^## The tables\n.*?(?=^## )", f"## The tables\n\nAll that was measured: [speed and accuracy](#tables).\n\n", text, flags=re.M | re.S)
     points = sum(entry["points"] for entry in exercises() if entry["lesson"] == int(one.number))
