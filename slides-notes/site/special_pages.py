@@ -36,7 +36,7 @@ def lesson_page(site, page):
     else:
         text = re.sub(r"^## Questions", lambda match: parts + match[0], text, flags=re.M)
     if one.number == "10":
-        text = re.sub(r"^## The tables\n.*?(?=^## )", f"## The tables\n\nAll that was measured: [speed and accuracy](#tables).\n\n", text, flags=re.M | re.S)
+        text = re.sub(r"^## The tables\n.*?(?=^## )", f"## The tables\n\nAll that was measured: [speed and accuracy, measured](#tables).\n\n", text, flags=re.M | re.S)
     points = sum(entry["points"] for entry in exercises() if entry["lesson"] == int(one.number))
     run = f"./raytree lesson {int(one.number)}"
     facts = [("New idea", context.inline(one.idea)), ("Slides", html.escape(one.slides)), ("Run it", f"<code>{run}</code>")]
@@ -56,7 +56,7 @@ def speed_page(site, page):
     intro = (f"What each approximation costs and buys, measured. [Lesson 10]({page.source.name}) shows the poor choices as pictures; "
              "`./raytree trade --quick` measures on your machine.\n")
     whole = f"{intro}\n## What the front says\n{says[1] if says else ''}\n## All tables\n\n{tables[1] if tables else ''}"
-    return "Speed and accuracy", "<h1>Speed and accuracy</h1>\n" + context.render(whole), context.headings
+    return "Speed and accuracy, measured", "<h1>Speed and accuracy, measured</h1>\n" + context.render(whole), context.headings
 
 
 def home_page(site, page):
