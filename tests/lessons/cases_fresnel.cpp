@@ -131,7 +131,8 @@ std::vector<Case> fresnelCases()
                  const double cos1 = std::cos(angle * degree);
                  worst = std::max(worst, std::abs(s.schlick(cos1, 1, 1.5) - s.fresnel(cos1, 1, 1.5)));
              }
-             check.near("the worst error, near 85 degrees", 0.0357, worst, 1e-4);
+             check.near("the largest difference from your fresnel (mend 06-fresnel first), near 85 degrees", 0.0357,
+                        worst, 1e-4);
          }},
         {"Split", "SendsFrAlongRAndTheRestAlongT", energy, Kind::treeShape,
          [](Check& check, const Subject& s) {
