@@ -92,7 +92,7 @@ class Context:
         listing = listings.lesson_listing(one, said + slide)
         if not any(entry["lesson"] == int(number) for entry in exercises()):
             return listing
-        return f'<details class="answer"><summary>Show it: the solutions of the exercises stand in it</summary>{listing}</details>'
+        return f'<details class="answer whole"><summary>Show it: the solutions of the exercises stand in it</summary>{listing}</details>'
 
     def exercise_cards(self, number):
         """What the lesson's README says about the exercise, and each part with its hint."""
