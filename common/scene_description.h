@@ -59,7 +59,7 @@ struct TraceSettings
 /// How an image covers the sphere of directions; the middle of the image is the direction -z, its right half is +x.
 enum class SkyMapping
 {
-    latlong, ///< longitude from left to right, latitude from the zenith at the top to the nadir
+    latlong, ///< longitude from left to right, the angle to the zenith from top to bottom
     angular  ///< Debevec's light probe: a disc, the distance from the middle is the angle to -z, its rim is +z
 };
 

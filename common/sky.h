@@ -18,13 +18,13 @@ struct SkyFormulas
     using vec2 = std::array<Real, 2>;
     static constexpr Real PI = std::numbers::pi_v<Real>;
 
-    /// Latitude and longitude: the direction -z is the middle (0.5, 0.5), +x is to its right, +y is the top edge v = 0.
+    /// Longitude and angle to the zenith: -z is the middle (0.5, 0.5), +x is to its right, +y is the top edge v = 0.
     static vec2 latLong(const vec3& D)
     {
         // SOLUTION 04-latlong
-        const Real longitude = portable::atan2(D.x, -D.z);                  // -pi .. pi
-        const Real latitude = portable::acos(std::clamp<Real>(D.y, -1, 1)); // 0 at the zenith .. pi
-        return {Real(0.5) + longitude / (2 * PI), latitude / PI};
+        const Real longitude = portable::atan2(D.x, -D.z);               // -pi .. pi
+        const Real polar = portable::acos(std::clamp<Real>(D.y, -1, 1)); // 0 at the zenith .. pi
+        return {Real(0.5) + longitude / (2 * PI), polar / PI};
         // END
     }
 

@@ -88,7 +88,7 @@ struct Tracer
         return visible;
     }
 
-    // Latitude and longitude: the direction -z is the middle (0.5, 0.5), +x is to its right, +y is the top edge v = 0.
+    // Longitude and angle to the zenith: -z is the middle (0.5, 0.5), +x is to its right, +y is the top edge v = 0.
     static vec2 latLong(const vec3& D)
     {
         // TODO 04-latlong (4 points): From a direction to a place in the picture of the sky

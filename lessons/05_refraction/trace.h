@@ -65,7 +65,7 @@ struct Tracer
         // END
     }
 
-    // The transmitted vector after Snell, n1 sin1 = n2 sin2; nothing at total internal reflection. N faces the ray.
+    // The transmitted vector after Snell, n1 sin θ1 = n2 sin θ2; nothing at total internal reflection. N faces the ray.
     static std::optional<vec3> refract(const vec3& D, const vec3& N, Real n1, Real n2)
     {
         // SOLUTION 05-refract
@@ -76,7 +76,7 @@ struct Tracer
         // END
     }
 
-    // k = cos²2 = 1 - (n1/n2)² (1 - cos²1). Negative: sin2 would exceed 1, there is no such angle.
+    // k = cos²θ2 = 1 - (n1/n2)² (1 - cos²θ1). Negative: sin θ2 would exceed 1, there is no such angle.
     static Real cosSquared2(Real cos1, Real n1, Real n2)
     {
         // SOLUTION 05-k

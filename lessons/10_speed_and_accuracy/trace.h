@@ -120,7 +120,7 @@ struct Tracer
         return R0 + (1 - R0) * x * x * x * x * x;
     }
 
-    // The transmitted vector after Snell, n1 sin1 = n2 sin2; nothing at total internal reflection. N faces the ray.
+    // The transmitted vector after Snell, n1 sin θ1 = n2 sin θ2; nothing at total internal reflection. N faces the ray.
     static std::optional<vec3> refract(const vec3& D, const vec3& N, Real n1, Real n2)
     {
         const Real cos1 = -dot(N, D);
@@ -129,7 +129,7 @@ struct Tracer
         return n1 / n2 * D + (n1 / n2 * cos1 - std::sqrt(k)) * N;
     }
 
-    // k = cos²2 = 1 - (n1/n2)² (1 - cos²1). Negative: sin2 would exceed 1, there is no such angle.
+    // k = cos²θ2 = 1 - (n1/n2)² (1 - cos²θ1). Negative: sin θ2 would exceed 1, there is no such angle.
     static Real cosSquared2(Real cos1, Real n1, Real n2)
     {
         return 1 - (n1 / n2) * (n1 / n2) * (1 - cos1 * cos1);

@@ -79,7 +79,7 @@ class Context:
         return f"{place}, {lines}.{new}{slide}"
 
     def listing(self, number):
-        """A lesson's whole source."""
+        """A lesson's whole source, folded where it holds the solutions of exercises."""
         one = lesson(number)
         new, gone = listings.new_lines(one)
         place = f'<a href="{self.link_to(one.source)}"><code>{one.source.relative_to(ROOT)}</code></a>'
@@ -89,7 +89,10 @@ class Context:
         else:
             said = f"{place}. All of it is new here."
         slide = f" Slides: {html.escape(one.slides)}." if one.number != "10" else ""
-        return listings.lesson_listing(one, said + slide)
+        listing = listings.lesson_listing(one, said + slide)
+        if not any(entry["lesson"] == int(number) for entry in exercises()):
+            return listing
+        return f'<details class="answer whole"><summary>Show it: the solutions of the exercises stand in it</summary>{listing}</details>'
 
     def exercise_cards(self, number):
         """What the lesson's README says about the exercise, and each part with its hint."""

@@ -50,7 +50,7 @@ def navigation(api):
     groups[REFERENCE].append(Page("ray-tree-json.html", "RayTree JSON", "schema", ROOT / "common/ray_tree.schema.json"))
     if api:
         groups[REFERENCE].append(Page("api/index.html", "Functions of common/", "api"))
-    groups[MEASURED].insert(0, Page(SPEED, "Speed and accuracy", "speed", NOTES / "10-speed-and-accuracy.md"))
+    groups[MEASURED].insert(0, Page(SPEED, "Lesson 10, measured", "speed", NOTES / "10-speed-and-accuracy.md"))
     groups[TEACHING].append(Page("grading.html", "Grading", "text", ROOT / "tests/grade/README.md"))
     groups[TEACHING].append(Page("design.html", "Why it is as it is", "text", ROOT / "common/DESIGN.md"))
     return [(group, pages) for group, pages in groups.items() if pages]

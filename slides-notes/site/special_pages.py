@@ -25,19 +25,18 @@ def text_page(site, page):
 
 
 def lesson_page(site, page):
-    """The notes, with the lesson's source before the questions, and the exercise as the lesson's README has it."""
+    """The notes, with the exercise as the lesson's README has it and then the lesson's source before the questions."""
     one = next(lesson for lesson in lessons() if lesson.notes == page.source)
     context, text = Context(site, page), without_title(page.source.read_text())
     text = TABLES.sub("", text)
     name = one.source.name
-    parts = f"## All of `{name}`\n\n<!-- listing: {one.number} -->\n\n"
+    parts = f"## Exercise\n\n<!-- exercises: {one.number} -->\n\n## All of `{name}`\n\n<!-- listing: {one.number} -->\n\n"
     if re.search(r"^## Exercise\n", text, re.M):
-        text = re.sub(r"^## Exercise\n.*?(?=^## |\Z)", parts + f"## Exercise\n\n<!-- exercises: {one.number} -->\n\n",
-                      text, flags=re.M | re.S)
+        text = re.sub(r"^## Exercise\n.*?(?=^## |\Z)", parts, text, flags=re.M | re.S)
     else:
-        text = re.sub(r"^## Questions", lambda match: f"{parts}## Exercise\n\n<!-- exercises: {one.number} -->\n\n" + match[0], text, flags=re.M)
+        text = re.sub(r"^## Questions", lambda match: parts + match[0], text, flags=re.M)
     if one.number == "10":
-        text = re.sub(r"^## The tables\n.*?(?=^## )", f"## The tables\n\nAll that was measured: [speed and accuracy](#tables).\n\n", text, flags=re.M | re.S)
+        text = re.sub(r"^## The tables\n.*?(?=^## )", f"## The tables\n\nAll that was measured: [speed and accuracy, measured](#tables).\n\n", text, flags=re.M | re.S)
     points = sum(entry["points"] for entry in exercises() if entry["lesson"] == int(one.number))
     run = f"./raytree lesson {int(one.number)}"
     facts = [("New idea", context.inline(one.idea)), ("Slides", html.escape(one.slides)), ("Run it", f"<code>{run}</code>")]
@@ -57,7 +56,7 @@ def speed_page(site, page):
     intro = (f"What each approximation costs and buys, measured. [Lesson 10]({page.source.name}) shows the poor choices as pictures; "
              "`./raytree trade --quick` measures on your machine.\n")
     whole = f"{intro}\n## What the front says\n{says[1] if says else ''}\n## All tables\n\n{tables[1] if tables else ''}"
-    return "Speed and accuracy", "<h1>Speed and accuracy</h1>\n" + context.render(whole), context.headings
+    return "Speed and accuracy, measured", "<h1>Speed and accuracy, measured</h1>\n" + context.render(whole), context.headings
 
 
 def home_page(site, page):

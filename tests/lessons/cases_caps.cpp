@@ -32,7 +32,7 @@ std::vector<Case> capCases()
     return {
         {"Policy", "BlackLosesWhatIsNotFollowed", slide, Kind::knownValue,
          [](Check& check, const Subject& s) {
-             check.near("a glass ball under a white sky, MAXDEPTH 1: all but Ft is lost", V(0.04),
+             check.near("a glass ball under a white sky, MAXDEPTH 1: all but Fr is lost", V(0.04),
                         s.color(ballUnderSky(AtCap::black, 1), {0, 0, 5}, {0, 0, -1}), s.ulps(64));
          }},
         {"Policy", "SkyStandsInForWhatIsNotFollowed", slide, Kind::knownValue,
@@ -82,8 +82,9 @@ std::vector<Case> capCases()
              const auto tree = s.tree(corridor(0.01), {0.1, 0, 0}, {0, 0, 1});
              check.equal("nodes: depths 0 to 6", std::size_t(7), tree.nodes.size());
              if (!tree.nodes.empty())
-                 check.equal("end", std::string("cutoff"), std::string(name(tree.nodes.back().end)));
-             check.equal("reason", std::string("cutoff"),
+                 check.equal("end of the last ray: one that is too weak calls rec.cutoff(ray)", std::string("cutoff"),
+                             std::string(name(tree.nodes.back().end)));
+             check.equal("why the next ray was not followed", std::string("cutoff"),
                          tree.capped.empty() ? "none" : std::string(name(tree.capped[0].reason)));
          }},
         {"Cutoff", "RespectsABrightSky", "Reflecting a HDR Sky", Kind::knownValue,

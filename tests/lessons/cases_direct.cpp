@@ -26,9 +26,10 @@ std::vector<Case> directCases()
          }},
         {"Sphere", "IsMissedBesideAndBehind", pseudocode, Kind::knownValue,
          [](Check& check, const Subject& s) {
-             check.near("t beside the sphere (-1: a miss)", -1, s.toSphere({0, 1.01, 5}, {0, 0, -1}, V(0), 1), 0);
-             check.near("t with the sphere behind the ray (-1: a miss)", -1, s.toSphere({0, 0, 5}, {0, 0, 1}, V(0), 1),
-                        0);
+             check.near("t beside the sphere (-1 stands for std::nullopt)", -1,
+                        s.toSphere({0, 1.01, 5}, {0, 0, -1}, V(0), 1), 0);
+             check.near("t with the sphere behind the ray (-1 stands for std::nullopt)", -1,
+                        s.toSphere({0, 0, 5}, {0, 0, 1}, V(0), 1), 0);
          }},
         {"Sphere", "PutsThePointOnTheSphere", pseudocode, Kind::property,
          [](Check& check, const Subject& s) {
@@ -51,10 +52,12 @@ std::vector<Case> directCases()
          }},
         {"Plane", "IsMissedBehindAndAlongIt", pseudocode, Kind::knownValue,
          [](Check& check, const Subject& s) {
-             check.near("t with the plane behind (-1: a miss)", -1, s.toPlane({0, 3, 0}, {0, 1, 0}, V(0), {0, 1, 0}),
-                        0);
-             check.near("t along the plane (-1: a miss)", -1, s.toPlane({0, 3, 0}, {1, 0, 0}, V(0), {0, 1, 0}), 0);
-             check.near("t within the plane (-1: a miss)", -1, s.toPlane({0, 0, 0}, {1, 0, 0}, V(0), {0, 1, 0}), 0);
+             check.near("t with the plane behind (-1 stands for std::nullopt)", -1,
+                        s.toPlane({0, 3, 0}, {0, 1, 0}, V(0), {0, 1, 0}), 0);
+             check.near("t along the plane (-1 stands for std::nullopt)", -1,
+                        s.toPlane({0, 3, 0}, {1, 0, 0}, V(0), {0, 1, 0}), 0);
+             check.near("t within the plane (-1 stands for std::nullopt)", -1,
+                        s.toPlane({0, 0, 0}, {1, 0, 0}, V(0), {0, 1, 0}), 0);
          }},
         {"Trace", "ReturnsBlackWhereNothingIs", pseudocode, Kind::knownValue,
          [](Check& check, const Subject& s) {

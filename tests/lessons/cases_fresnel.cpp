@@ -69,7 +69,8 @@ std::vector<Case> fresnelCases()
         {"Fresnel", "IsZeroBetweenEqualMedia", slide, Kind::knownValue,
          [](Check& check, const Subject& s) {
              for (const double cos1 : {1.0, 0.5, 0.1, 0.0})
-                 check.near(fmt::format("Fr for cos1 = {}, 1.5 -> 1.5", cos1), 0, s.fresnel(cos1, 1.5, 1.5), 0);
+                 check.near(fmt::format("Fr for cos1 = {}, 1.5 -> 1.5: no boundary, so exactly 0", cos1), 0,
+                            s.fresnel(cos1, 1.5, 1.5), 0);
          }},
         {"Fresnel", "AtBrewstersAngleIsHalfOfTheOtherPolarisation", slide, Kind::knownValue,
          [](Check& check, const Subject& s) {
@@ -119,8 +120,8 @@ std::vector<Case> fresnelCases()
         {"Schlick", "IsOneBeyondTheCriticalAngleAndZeroBetweenEqualMedia", schlickSlide, Kind::knownValue,
          [](Check& check, const Subject& s) {
              check.near("Fr at 45 degrees, 1.5 -> 1", 1, s.schlick(std::cos(45 * degree), 1.5, 1), 0);
-             check.near("Fr at 60 degrees, 1.5 -> 1.5", 0, s.schlick(0.5, 1.5, 1.5), 0);
-             check.near("Fr along the surface, 1.5 -> 1.5", 0, s.schlick(0, 1.5, 1.5), 0);
+             check.near("Fr at 60 degrees, 1.5 -> 1.5: no boundary, so exactly 0", 0, s.schlick(0.5, 1.5, 1.5), 0);
+             check.near("Fr along the surface, 1.5 -> 1.5: no boundary, so exactly 0", 0, s.schlick(0, 1.5, 1.5), 0);
          }},
         {"Schlick", "StaysWithin36ThousandthsOfTheEquationsForGlass", schlickSlide, Kind::property,
          [](Check& check, const Subject& s) {
@@ -130,7 +131,8 @@ std::vector<Case> fresnelCases()
                  const double cos1 = std::cos(angle * degree);
                  worst = std::max(worst, std::abs(s.schlick(cos1, 1, 1.5) - s.fresnel(cos1, 1, 1.5)));
              }
-             check.near("the worst error, near 85 degrees", 0.0357, worst, 1e-4);
+             check.near("the largest difference from your fresnel (mend 06-fresnel first), near 85 degrees", 0.0357,
+                        worst, 1e-4);
          }},
         {"Split", "SendsFrAlongRAndTheRestAlongT", energy, Kind::treeShape,
          [](Check& check, const Subject& s) {
@@ -178,9 +180,12 @@ std::vector<Case> fresnelCases()
                  scene.trace.fresnel = model;
                  return weightOf(s.tree(scene, {0, std::sin(60 * degree), 5}, {0, 0, -1}), RayKind::reflected);
              };
-             check.near("exact", s.fresnel(cos1, 1, 1.5), share(FresnelModel::exact), s.ulps(512));
-             check.near("schlick", s.schlick(cos1, 1, 1.5), share(FresnelModel::schlick), s.ulps(512));
-             check.near("none: no reflected ray", -1, share(FresnelModel::none), 0);
+             check.near("share of the reflected ray, fresnel = exact: what your fresnel returns",
+                        s.fresnel(cos1, 1, 1.5), share(FresnelModel::exact), s.ulps(512));
+             check.near("share of the reflected ray, fresnel = schlick: what your schlick returns",
+                        s.schlick(cos1, 1, 1.5), share(FresnelModel::schlick), s.ulps(512));
+             check.near("fresnel = none: no reflected ray is sent (-1: none; else its share)", -1,
+                        share(FresnelModel::none), 0);
          }},
         {"Split", "ShowsTheLampLitFloorInTheGlass", energy, Kind::knownValue,
          [](Check& check, const Subject& s) {

@@ -38,11 +38,12 @@ std::vector<Case> mirrorCases()
     return {
         {"Reflect", "MirrorsAtTheFloor", vector, Kind::knownValue,
          [](Check& check, const Subject& s) {
-             check.near("R of D = (1, -1, 0), N = (0, 1, 0)", V(std::sqrt(0.5), std::sqrt(0.5), 0),
+             check.near("R of D = unit(1, -1, 0), N = (0, 1, 0)", V(std::sqrt(0.5), std::sqrt(0.5), 0),
                         s.reflect({1, -1, 0}, {0, 1, 0}), s.ulps(8));
              check.near("R of D = (0.6, 0, -0.8), N = (0, 0, 1)", V(0.6, 0, 0.8), s.reflect({0.6, 0, -0.8}, {0, 0, 1}),
                         s.ulps(8));
-             check.near("R of D = (0, 0, -1), N = (1, 0, 1)", V(1, 0, 0), s.reflect({0, 0, -1}, {1, 0, 1}), s.ulps(8));
+             check.near("R of D = (0, 0, -1), N = unit(1, 0, 1)", V(1, 0, 0), s.reflect({0, 0, -1}, {1, 0, 1}),
+                        s.ulps(8));
          }},
         {"Reflect", "ReturnsWhereItCameFromAtNormalIncidence", vector, Kind::knownValue,
          [](Check& check, const Subject& s) {

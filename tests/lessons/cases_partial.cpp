@@ -69,11 +69,11 @@ std::vector<Case> partialCases()
         {"Partial", "AsksOnlyForWhatCounts", "Ray Tree", Kind::treeShape,
          [](Check& check, const Subject& s) {
              const auto mirror = s.tree(ceiling(1), {-5, 1, 0}, {1, 1, 0});
-             check.equal("nodes at share 1", std::size_t(2), mirror.nodes.size());
+             check.equal("nodes at share 1: itself and the floor in it", std::size_t(2), mirror.nodes.size());
              check.equal("shadow rays at share 1: those of the floor", std::size_t(1), mirror.shadows.size());
              const auto diffuse = s.tree(ceiling(0), {-5, 1, 0}, {1, 1, 0});
-             check.equal("nodes at share 0", std::size_t(1), diffuse.nodes.size());
-             check.equal("shadow rays at share 0", std::size_t(1), diffuse.shadows.size());
+             check.equal("nodes at share 0: it sends no reflected ray", std::size_t(1), diffuse.nodes.size());
+             check.equal("shadow rays at share 0: its own", std::size_t(1), diffuse.shadows.size());
          }},
         {"Picture", "OfHalfSpecularSpheresIsAsStored", "Spheres: 50% specular", Kind::picture,
          [](Check& check, const Subject& s) {

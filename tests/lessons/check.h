@@ -15,7 +15,7 @@ namespace rt::cases
 
 struct Failure
 {
-    std::string what; ///< the quantity, as in "R of D = (1, -1, 0), N = (0, 1, 0)"
+    std::string what; ///< the quantity, as in "R of D = unit(1, -1, 0), N = (0, 1, 0)"
     std::string expected;
     std::string got;
 };

@@ -227,6 +227,38 @@ TEST(Errata, RadianceMayGrowDeeperInTheTree)
     EXPECT_NEAR(color<Shading>(dim, {0, 0, 3}, {0, 0, -1}).x, 1, 1e-12);
 }
 
+TEST(Errata, TheAverageThroughputMayGrowDeeperInTheTree)
+{
+    // Water over a mirror, in a sky. The weak reflection at the water ends in the sky, the strong ray goes on alone.
+    const auto description = Build()
+                                 .sky(V(1))
+                                 .depth(6)
+                                 .material({.name = "water", .ior = 1.333})
+                                 .floor()
+                                 .material({.name = "mirror", .mirror = 1})
+                                 .plane({0, -1, 0}, {0, 1, 0})
+                                 .scene;
+    const Scene<double> scene(description);
+    RayTree tree;
+    lesson06::Tracer<double, TreeRecorder<double>> tracer{scene, TreeRecorder<double>(tree, scene)};
+    tracer.trace(rayOf<double>({0, 1, 0}, {1, -2, 0}));
+    std::vector<double> sums(7, 0), counts(7, 0);
+    for (const auto& node : tree.nodes)
+    {
+        sums.at(std::size_t(node.depth)) += node.throughput.x;
+        counts.at(std::size_t(node.depth)) += 1;
+        if (node.parent < 0) continue;
+        EXPECT_LE(node.throughput.x, tree.nodes[std::size_t(node.parent)].throughput.x); // what is true
+    }
+    for (std::size_t depth = 1; depth < sums.size(); ++depth) EXPECT_LE(sums[depth], sums[depth - 1] * (1 + 1e-12));
+    ASSERT_EQ(counts[1], 2);
+    ASSERT_EQ(counts[2], 1);
+    const bool printed = sums[2] / counts[2] <= sums[1] / counts[1]; // "the average ... decreases with depth"
+    EXPECT_FALSE(printed);
+    EXPECT_NEAR(sums[1] / counts[1], 0.5, 1e-12);
+    EXPECT_GT(sums[2] / counts[2], 0.9);
+}
+
 TEST(Errata, ALineIn3DHasMoreThanTwoUnitNormals)
 {
     using Geometry = lesson00::Geometry<double>;

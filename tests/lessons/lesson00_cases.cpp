@@ -18,6 +18,8 @@ using lesson00::V3;
 
 const double pi = std::acos(-1.0);
 
+using cases::text; // of a V3 too: it would become a V2 otherwise
+
 std::string text(const V2& v)
 {
     return fmt::format("({:.9g}, {:.9g})", v.x, v.y);
@@ -138,7 +140,7 @@ void slopeCases(std::vector<GeometryCase>& cases)
              for (const auto& [P, Q] : {std::pair(V2(-3, 0), V2(2, 2)), {V2(2, 2), V2(-3, 0)}})
              {
                  const auto line = s.slopeIntercept(P, Q);
-                 check.that(points(P, Q) + " has a slope", line.has_value());
+                 check.that(points(P, Q) + " has a slope, so std::nullopt is wrong", line.has_value());
                  if (!line) continue;
                  check.near("a in y = ax + b", 0.4, line->a, s.ulps(8));
                  check.near("b in y = ax + b", 1.2, line->b, s.ulps(8));
@@ -147,20 +149,22 @@ void slopeCases(std::vector<GeometryCase>& cases)
     add({"SlopeIntercept", "OfAHorizontalLineHasSlopeZero", a, Kind::knownValue,
          [](Check& check, const GeometrySubject& s) {
              const auto line = s.slopeIntercept({1, 3}, {5, 3});
-             check.that("a horizontal line has a slope", line.has_value());
+             check.that("a horizontal line has a slope, 0, so std::nullopt is wrong", line.has_value());
              check.near("a in y = ax + b, through (1, 3) and (5, 3)", 0, line ? line->a : NAN, 0);
              check.near("b in y = ax + b, through (1, 3) and (5, 3)", 3, line ? line->b : NAN, s.ulps(8));
          }});
     add({"SlopeIntercept", "OfAVerticalLineDoesNotExist", a, Kind::knownValue,
          [](Check& check, const GeometrySubject& s) {
-             check.that("the line through (2, -1) and (2, 5) has no slope", !s.slopeIntercept({2, -1}, {2, 5}));
-             check.that("the line through (0, 5) and (0, -1) has no slope", !s.slopeIntercept({0, 5}, {0, -1}));
+             check.that("the line through (2, -1) and (2, 5) has no slope, so std::nullopt is right",
+                        !s.slopeIntercept({2, -1}, {2, 5}));
+             check.that("the line through (0, 5) and (0, -1) has no slope, so std::nullopt is right",
+                        !s.slopeIntercept({0, 5}, {0, -1}));
          }});
     add({"SlopeIntercept", "HoldsForBothPoints", a, Kind::property, [](Check& check, const GeometrySubject& s) {
              forLines2([&](const V2& P, const V2& Q) {
                  if (std::abs(P.x - Q.x) < 1) return;
                  const auto line = s.slopeIntercept(P, Q);
-                 check.that(points(P, Q) + " has a slope", line.has_value());
+                 check.that(points(P, Q) + " has a slope, so std::nullopt is wrong", line.has_value());
                  for (const V2& p : {P, Q})
                      check.near(fmt::format("{}: ax + b at x = {}", points(P, Q), p.x), p.y,
                                 line ? line->a * p.x + line->b : NAN, s.ulps(2048));

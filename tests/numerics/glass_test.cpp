@@ -74,7 +74,7 @@ TYPED_TEST(Glass, ReflectsTheSameShareFromBothSides)
         {
             const Real cos1 = Real(i) / 1000, n = Real(ratio), cos2 = std::sqrt(Tracer::cosSquared2(cos1, 1, n));
             const Real enters = Tracer::fresnel(cos1, 1, n), leaves = Tracer::fresnel(cos2, n, 1);
-            // On the way back cos²1 = 1 - n²(1 - cos²2) cancels.
+            // On the way back cos²θ1 = 1 - n²(1 - cos²θ2) cancels.
             EXPECT_LE(std::abs(enters - leaves), 4 * eps<Real> * (1 + n * n / cos1)) << ratio << ", " << double(cos1);
         }
 }
