@@ -8,6 +8,7 @@
 
 #include "common/image.h"
 #include "tests/grade/box/compile.h"
+#include "tests/grade/box/source_text.h"
 #include "tests/grade/digest.h"
 #include "tests/grade/wire/remote.h"
 
@@ -32,14 +33,34 @@ std::string hashOf(const std::vector<std::string>& parts)
     return sha256Hex(all);
 }
 
-/// Could another content of unset memory explain a wrong answer? Not where two runs differ: that they do for another reason.
+std::string handedOut(int lesson)
+{
+    for (const auto& folder : std::filesystem::directory_iterator(RAYTREE_SOURCE_DIR "/lessons"))
+        if (folder.path().filename().string().starts_with(fmt::format("{:02}_", lesson)))
+            return readTextFile(folder.path().string() + "/exercise.h");
+    return "";
+}
+
+/// Could another content of unset memory explain a wrong public answer? Not where two runs differ: that they do for another
+/// reason.
 bool mayBeUninitialised(const Answers& answers)
 {
     const auto has = [&answers](Outcome outcome) {
         return std::any_of(answers.classes.begin(), answers.classes.end(),
-                           [outcome](const ClassResult& one) { return one.outcome == outcome; });
+                           [outcome](const ClassResult& one) { return !one.hidden && one.outcome == outcome; });
     };
     return has(Outcome::wrong) && !has(Outcome::notDeterministic);
+}
+
+/// Of exercises that count as not attempted though code was written for them.
+void remarkOnTodos(SubmissionResult& result, const std::string& text)
+{
+    for (const auto& id : todosLeft(text, handedOut(result.lesson)))
+        if (std::any_of(result.classes.begin(), result.classes.end(), [&](const ClassResult& one) {
+                return !one.hidden && one.exercise == id && one.outcome == Outcome::notAttempted;
+            }))
+            result.remarks.push_back(fmt::format(
+                "your code for {} stands beside todo(\"{}\"), which still ends it: delete that line", id, id));
 }
 
 } // namespace
@@ -96,30 +117,29 @@ SubmissionResult gradeOne(const Submission& submission, const Taken& taken, cons
             result.seconds = secondsSince(start);
             return result;
         }
-        std::vector<Remote> remotes;
-        const auto ask = [&](const std::string& program, const AskOptions& options) {
+        const auto ask = [&](Remote& remote, const AskOptions& options) {
             return gradeCandidate(
-                setting.lesson,
-                [&] {
-                    remotes.emplace_back(box, program, setting.lesson, setting.limits);
-                    return remotes.back().candidate();
-                },
-                setting.secret, options);
+                setting.lesson, [&] { return remote.afresh(); }, setting.secret, options);
         };
         AskOptions options;
         options.stop = &stop;
-        auto answers = ask(compiled.program, options);
-        if (!remotes.empty()) result.studentText = remotes.front().text();
+        Remote remote(box, compiled.program, setting.lesson, setting.limits);
+        auto answers = ask(remote, options);
+        result.studentText = remote.text();
         if (mayBeUninitialised(answers))
         {
             const auto zero = compileSubmission(box, setting.lesson, taken.text, folder, Fill::zero);
-            options.twice = options.mistakes = options.pictures = false; // classes of numbers tell it as well
+            // Classes of numbers tell it as well as pictures do, and students are told nothing that depends on the secret.
+            options.twice = options.mistakes = options.pictures = options.hidden = false;
             if (zero.ok)
-                if (const auto remark = uninitialised(answers, ask(zero.program, options)))
-                    answers.remarks.push_back(*remark);
+            {
+                Remote other(box, zero.program, setting.lesson, setting.limits);
+                if (const auto remark = uninitialised(answers, ask(other, options))) answers.remarks.push_back(*remark);
+            }
         }
         result.classes = std::move(answers.classes);
         result.remarks.insert(result.remarks.end(), answers.remarks.begin(), answers.remarks.end());
+        remarkOnTodos(result, taken.text);
     }
     catch (const Interrupted&)
     {

@@ -86,7 +86,7 @@ def check(attack, result, folder, verdicts):
         verdicts.that(name, bool(data["reason"]), "there is no reason")
     else:
         most = sum(test["max_score"] for test in result["tests"])
-        share = result["score"] / most
+        share = sum(test["score"] for test in result["tests"]) / most
         points = attack.get("points", "full")
         least, most_share = {"full": (1, 1), "none": (0, NOTHING)}[points] if isinstance(points, str) else points
         verdicts.that(name, least - 1e-9 <= share <= most_share + 1e-9, f"earned {share:.3f} of all points, expected {points}")

@@ -135,7 +135,10 @@ Command runCommand(const Box& box, const Limits& limits, const std::string& prog
 
 CompilePlaces placesInside(const Box& box, const CompilePlaces& outside)
 {
-    return box.sandbox == Sandbox::bubblewrap ? CompilePlaces{"/kit", "/source", "/out"} : outside;
+    if (box.sandbox == Sandbox::bubblewrap) return {"/kit", "/source", "/out", ""};
+    if (box.sandbox == Sandbox::none) return outside;
+    const auto below = outside.root.size();
+    return {outside.kit.substr(below), outside.source.substr(below), outside.out.substr(below), "/"};
 }
 
 Command compileCommand(const Box& box, const Limits& limits, const CompilePlaces& outside, std::size_t fileBytes,
@@ -144,7 +147,8 @@ Command compileCommand(const Box& box, const Limits& limits, const CompilePlaces
     constexpr int files = 256, processes = 256;
     Command command;
     command.shown = "the compiler";
-    command.argv = asUser(box);
+    // Who changes the root folder must still be root.
+    command.argv = box.sandbox == Sandbox::chroot ? Words{"/usr/bin/setpriv", "--no-new-privs"} : asUser(box);
     append(command.argv, limited(limits, fileBytes, files, processes));
     command.environment = {"PATH=/usr/bin:/bin", "LC_ALL=C", "TMPDIR=" + placesInside(box, outside).out};
     if (box.sandbox == Sandbox::bubblewrap)
@@ -162,6 +166,12 @@ Command compileCommand(const Box& box, const Limits& limits, const CompilePlaces
         append(command.argv, {"--ro-bind", outside.kit, "/kit", "--ro-bind", outside.source, "/source", "--bind",
                               outside.out, "/out", "--remount-ro", "/", "--chdir", "/source", "--"});
         command.reportsStatus = true;
+    }
+    if (box.sandbox == Sandbox::chroot)
+    {
+        if (::geteuid() != 0) throw std::runtime_error("the sandbox \"chroot\" is for root only");
+        append(command.argv,
+               {"/usr/sbin/chroot", fmt::format("--userspec=+{0}:+{0}", userOf(box)), "--groups=", outside.root});
     }
     append(command.argv, compiler);
     return command;

@@ -61,6 +61,7 @@ struct CompilePlaces
     std::string kit;    ///< read only
     std::string source; ///< a folder with one file, read only
     std::string out;    ///< a folder; the only place to write
+    std::string root;   ///< for Sandbox::chroot: a folder that holds all these and the compiler, and nothing else
 };
 
 /// As they are called inside the box.

@@ -47,10 +47,14 @@ std::vector<std::string> linesOf(const std::string& path)
     return lines;
 }
 
-/// The kit, where the box's user can read it.
-std::string kitFor(const Box& box, int lesson, Kit which)
+std::string nameOf(Kit which, int lesson)
 {
-    const std::string kit = which == Kit::whole ? "rest" : lesson == 1 ? "01" : lesson == 4 ? "04" : "rest";
+    return which == Kit::whole ? "rest" : lesson == 1 ? "01" : lesson == 4 ? "04" : "rest";
+}
+
+/// The kit, where the box's user can read it.
+std::string kitFor(const Box& box, const std::string& kit)
+{
     const std::string built = std::string(GRADE_KIT) + "/" + kit;
     if (canReach(box, built)) return built;
     // The course lies in somebody's home: a copy, once.
@@ -60,6 +64,58 @@ std::string kitFor(const Box& box, int lesson, Kit which)
     const auto copy = copies.path + "/" + kit;
     if (!fs::exists(copy)) fs::copy(built, copy, fs::copy_options::recursive);
     return copy;
+}
+
+/// Where bubblewrap cannot run: a root folder that holds the compiler, the standard library and the kits, and so nothing that a
+/// submission should not read. Copied once; users may read it, and write nowhere in it.
+class CompilerRoot
+{
+public:
+    /// Of the kit, made when it is first asked for.
+    std::string withKit(const std::string& kit)
+    {
+        const std::lock_guard lock(mutex);
+        if (!hasCompiler)
+        {
+            for (const auto& file : linesOf(std::string(GRADE_KIT) + "/compiler_files")) add(file, file);
+            for (const char* name : {"/bin", "/lib", "/lib64"})
+                if (std::error_code error; fs::is_symlink(name)) fs::copy_symlink(name, folder.path + name, error);
+            hasCompiler = true;
+        }
+        const std::string built = std::string(GRADE_KIT) + "/" + kit, inside = "/kit-" + kit;
+        if (!fs::exists(folder.path + inside))
+            for (const auto& entry : fs::recursive_directory_iterator(built))
+                if (entry.is_regular_file()) add(entry.path(), inside / fs::relative(entry.path(), built));
+        return folder.path + inside;
+    }
+    const std::string& path() const { return folder.path; }
+
+private:
+    TemporaryFolder folder;
+    std::mutex mutex;
+    bool hasCompiler = false;
+
+    /// Whatever our umask is, others may read it.
+    void add(const fs::path& file, const fs::path& inside)
+    {
+        const auto to = fs::path(folder.path + inside.string());
+        for (auto missing = to.parent_path(); !fs::exists(missing); missing = missing.parent_path())
+            made.push_back(missing);
+        for (; !made.empty(); made.pop_back())
+        {
+            fs::create_directory(made.back());
+            fs::permissions(made.back(), fs::perms(0755));
+        }
+        fs::copy_file(file, to);
+        fs::permissions(to, fs::perms(0755));
+    }
+    std::vector<fs::path> made;
+};
+
+CompilerRoot& compilerRoot()
+{
+    static CompilerRoot root;
+    return root;
 }
 
 void writeFile(const std::string& path, const std::string& text)
@@ -93,6 +149,41 @@ void take(const std::string& from, const std::string& to)
     fs::permissions(to, mode);
 }
 
+/// Empty folders for the source and the program; in the fallback below the compiler's root folder, one a worker.
+CompilePlaces placesFor(const Box& box, const std::string& kit, const std::string& work)
+{
+    CompilePlaces places;
+    std::string top = work;
+    if (box.sandbox == Sandbox::chroot)
+    {
+        places.kit = compilerRoot().withKit(kit);
+        places.root = compilerRoot().path();
+        top = fmt::format("{}/work-{}", places.root, box.worker);
+        fs::remove_all(top);
+        fs::create_directory(top);
+        fs::permissions(top, fs::perms(0755));
+    }
+    else
+        places.kit = kitFor(box, kit);
+    places.source = top + "/source";
+    places.out = top + "/out";
+    fs::create_directory(places.source);
+    fs::create_directory(places.out);
+    return places;
+}
+
+/// What the compiler reads and where it writes is its user's, and nobody else's: other workers compile in the same root folder.
+void giveTo(const Box& box, const CompilePlaces& places)
+{
+    const auto user = userOf(box);
+    for (const auto& path : {places.source, places.source + "/exercise.h", places.out})
+    {
+        fs::permissions(path, path.ends_with(".h") ? fs::perms(0600) : fs::perms(0700));
+        if (::geteuid() == 0 && ::chown(path.c_str(), user, user) != 0)
+            throw std::runtime_error(path + " cannot be given to the compiler");
+    }
+}
+
 std::vector<std::string> compilerWords(int lesson, Fill fill, const CompilePlaces& in)
 {
     const std::string base = GRADE_KIT;
@@ -123,20 +214,11 @@ Compiled compileSubmission(const Box& box, int lesson, const std::string& exerci
 {
     Compiled result;
     result.remarks = remarksOn(exerciseText, lesson);
-    if (box.sandbox == Sandbox::chroot) result.reason = unsafeToCompile(exerciseText);
-    if (!result.reason.empty()) return result;
 
     const TemporaryFolder work;
-    const CompilePlaces outside{kitFor(box, lesson, kit), work.path + "/source", work.path + "/out"};
-    fs::create_directory(outside.source);
-    fs::create_directory(outside.out);
-    constexpr mode_t readable = 0755;
-    if (::chmod(outside.source.c_str(), readable) != 0 || ::chmod(outside.out.c_str(), readable) != 0 ||
-        (::geteuid() == 0 && ::chown(outside.out.c_str(), userOf(box), userOf(box)) != 0))
-        throw std::runtime_error(work.path + " cannot be given to the compiler");
+    const auto outside = placesFor(box, nameOf(kit, lesson), work.path);
     writeFile(outside.source + "/exercise.h", exerciseText);
-    constexpr mode_t plain = 0644;
-    ::chmod((outside.source + "/exercise.h").c_str(), plain);
+    giveTo(box, outside);
 
     const auto inside = placesInside(box, outside);
     const auto limits = compileLimits();

@@ -4,7 +4,8 @@
     make_kit.py OUT COMPILER KIT
 
 writes OUT/KIT, which is 01, 04 or rest, with the headers that tests/grade/wire/student.h needs, precompiled, the runner's
-object and exercise.student.cpp; and OUT/flags, one a line, that all of it is and must be compiled with, and OUT/compiler. In OUT/01 rays meet neither spheres nor planes; in OUT/01 and OUT/04
+object and exercise.student.cpp; and OUT/flags, one a line, that all of it is and must be compiled with, OUT/compiler, and OUT/compiler_files,
+what a root folder must hold for it to run in. In OUT/01 rays meet neither spheres nor planes; in OUT/01 and OUT/04
 the lat-long map throws NotAttempted.
 """
 import pathlib
@@ -44,6 +45,40 @@ def headers(compiler):
     return sorted(files)
 
 
+def said(*command):
+    return subprocess.run(command, check=True, capture_output=True, text=True, stdin=subprocess.DEVNULL, env={"PATH": "/usr/bin:/bin", "LC_ALL": "C"})
+
+
+def place(file):
+    """The file without links in the folders that lead to it: /lib/x is /usr/lib/x."""
+    path = pathlib.Path(file)
+    return path.parent.resolve() / path.name
+
+
+def compiler_files(compiler):
+    """All that compiling needs: programs with their libraries, what is linked statically, headers of the standard library."""
+    found = {place(compiler)}
+    for name in ("cc1plus", "collect2", "as", "ld"):
+        if program := shutil.which(said(compiler, f"-print-prog-name={name}").stdout.strip()):  # another compiler has others
+            found.add(place(program))
+    for program in list(found):
+        found |= {place(file) for file in re.findall(r"(/\S+) \(0x", said("ldd", str(program)).stdout)}
+    names = ["crt1.o", "crti.o", "crtn.o", "crtbegin.o", "crtbeginT.o", "crtend.o", "libstdc++.a", "libm.a", "libgcc.a", "libgcc_eh.a", "libc.a",
+             "liblto_plugin.so"]
+    linked = [pathlib.Path(said(compiler, f"-print-file-name={name}").stdout.strip()) for name in names]
+    linked = {place(path) for path in linked if path.is_absolute()}
+    for path in linked:
+        if path.stat().st_size < 1000 and b"GNU ld script" in path.read_bytes():  # libm.a names two others
+            found |= {place(file) for file in re.findall(r"/\S+", path.read_text()) if pathlib.Path(file).is_file()}
+    listing = said(compiler, "-x", "c++", "-v", "-E", "/dev/null").stderr
+    for folder in re.search(r"<\.\.\.> search starts here:\n(.*?)End of search", listing, re.S)[1].split():
+        path = pathlib.Path(folder).resolve()
+        parts = [path] if "c++" in path.parts or "gcc" in path.parts else [path / name for name in ("asm", "asm-generic", "bits", "c++", "glm", "gnu", "linux", "sys")]
+        found |= {file for part in parts for file in part.rglob("*") if file.is_file()}
+        found |= {file for file in path.glob("*.h") if file.is_file()}
+    return sorted(map(str, found | linked))
+
+
 def stubbed(text, ids):
     """The text with the solutions of these ids replaced, and how many that were. Marks of others are removed."""
     count = 0
@@ -80,7 +115,9 @@ def main():
     (out / kit / runner).unlink()
     subprocess.run([*run, FILL, "-x", "c++-header", f"{WIRE}/student.h"], cwd=out / kit, check=True)
     (out / "flags").write_text("\n".join(FLAGS) + "\n")
-    (out / "compiler").write_text(str(pathlib.Path(shutil.which(compiler)).resolve()) + "\n")
+    whole = str(pathlib.Path(shutil.which(compiler)).resolve())
+    (out / "compiler_files").write_text("".join(f"{file}\n" for file in compiler_files(whole)))
+    (out / "compiler").write_text(whole + "\n")
 
 
 main()

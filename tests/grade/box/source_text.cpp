@@ -1,5 +1,6 @@
 #include "tests/grade/box/source_text.h"
 
+#include <map>
 #include <regex>
 #include <set>
 
@@ -55,6 +56,25 @@ std::size_t endOfLiteral(const std::string& text, std::size_t from)
             return i + 1;
     }
     return text.size();
+}
+
+/// By the id of each todo("id"): the code of the innermost block that it stands in.
+std::map<std::string, std::string> blocksOfTodos(const std::string& raw)
+{
+    const auto text = joinedLines(raw), code = codeOnly(raw); // of one length; in `code` the ids are blank
+    const std::string mark = "todo(\"";
+    std::map<std::string, std::string> blocks;
+    for (auto at = code.find(mark); at != std::string::npos; at = code.find(mark, at + 1))
+    {
+        const auto name = at + mark.size(), nameEnd = text.find('"', name);
+        int depth = 0;
+        std::size_t from = at, to = at;
+        while (from > 0 && depth >= 0) depth += code[--from] == '}' ? 1 : code[from] == '{' ? -1 : 0;
+        for (depth = 0; to < code.size() && depth >= 0; ++to) depth += code[to] == '{' ? 1 : code[to] == '}' ? -1 : 0;
+        if (nameEnd != std::string::npos)
+            blocks[text.substr(name, nameEnd - name)] = squeezed(code.substr(from, to - from));
+    }
+    return blocks;
 }
 
 } // namespace
@@ -135,46 +155,13 @@ std::vector<std::string> remarksOn(const std::string& text, int lesson)
     return remarks;
 }
 
-std::string unsafeToCompile(const std::string& text)
+std::vector<std::string> todosLeft(const std::string& text, const std::string& handedOut)
 {
-    const std::string tail = ", which is refused where bubblewrap cannot run";
-    constexpr std::size_t longest = 1000;
-    std::size_t length = 0;
-    for (const char c : joinedLines(text))
-        if ((length = c == '\n' ? 0 : length + 1) > longest)
-            return "exercise.h has a line of more than 1000 characters" + tail;
-    const auto code = codeOnly(text);
-    static const std::regex assembler(R"(\b(asm|__asm|__asm__)\b)"), pasting("##|%:%:"),
-        digraph(R"((^|\n)[ \t]*(%:|\?\?=))");
-    if (std::regex_search(code, assembler)) return "exercise.h contains assembler" + tail;
-    if (std::regex_search(code, pasting)) return "exercise.h joins words with ##" + tail;
-    if (std::regex_search(code, digraph)) return "exercise.h writes %: for #" + tail;
-    // A raw string may hold what looks like a directive; refusing it is simpler than being right about it.
-    static const std::regex directive(R"((^|\n)[ \t\f\v]*#[ \t\f\v]*([a-z_]*)([^\n]*))");
-    // The name between quotes is blanked in `code`, so the text without comments only is asked for it.
-    const auto lines = joinedLines(text);
-    for (std::sregex_iterator found(code.begin(), code.end(), directive), end; found != end; ++found)
-    {
-        const std::string word = (*found)[2];
-        if (word == "embed" || word == "import" || word == "include_next" || word == "pragma")
-        {
-            if (word == "pragma" && std::regex_match((*found)[3].str(), std::regex(R"(\s+once\s*)"))) continue;
-            return fmt::format("exercise.h contains #{}{}", word, tail);
-        }
-    }
-    static const std::regex include(R"(#[ \t\f\v]*include\b([^\n]*))");
-    static const std::regex plain(
-        R"(\s*(?:"(?:common|lessons)/[\w/]+\.h"|<(?:glm/)?\w+(?:/\w+)*(?:\.h|\.hpp)?>)\s*(?://.*|/\*.*)?)");
-    for (std::sregex_iterator found(lines.begin(), lines.end(), include), end; found != end; ++found)
-        if (!std::regex_match((*found)[1].str(), plain))
-            return "exercise.h includes a file that is neither ours nor the standard library's" + tail;
-    // `# /* */ include` is not seen above; in `code` its comment is blank.
-    static const std::regex any(R"(#[ \t\f\v]*include\b)");
-    const auto count = [&](const std::string& where) {
-        return std::distance(std::sregex_iterator(where.begin(), where.end(), any), std::sregex_iterator());
-    };
-    if (count(code) > count(lines)) return "exercise.h hides an #include" + tail;
-    return "";
+    const auto written = blocksOfTodos(text), original = blocksOfTodos(handedOut);
+    std::vector<std::string> ids;
+    for (const auto& [id, block] : written)
+        if (const auto at = original.find(id); at != original.end() && at->second != block) ids.push_back(id);
+    return ids;
 }
 
 } // namespace rt::grade

@@ -18,8 +18,8 @@ std::string squeezed(const std::string& text);
 /// without the student's own formulas, for it has none itself there.
 std::vector<std::string> remarksOn(const std::string& text, int lesson = 0);
 
-/// Where the compiler can read all that others may read, as in the fallback without bubblewrap: why this text might make it read
-/// something, or "". Only plain includes are fine, of our headers or of the standard library's and GLM's.
-std::string unsafeToCompile(const std::string& text);
+/// The ids of those todo("id") that still stand in a block which is not as it was handed out: code was written there, and the
+/// mark ends it all the same.
+std::vector<std::string> todosLeft(const std::string& text, const std::string& handedOut);
 
 } // namespace rt::grade

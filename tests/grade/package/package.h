@@ -15,8 +15,9 @@ struct Submission
     std::string path;    ///< a folder, an archive or a file
 };
 
-/// Each entry of the directory is one student's: a folder, .zip, .tar, .tar.gz, .tgz or .h. By name; hidden files and others are
-/// passed over. Throws std::runtime_error if the directory cannot be read or two entries name the same student.
+/// Each entry of the directory is one student's, by name; what cannot be opened too, so that nobody vanishes. Only what systems
+/// leave (.DS_Store, .git) is passed over. Throws std::runtime_error if the directory cannot be read or two entries that can be
+/// opened (a folder, .zip, .tar, .tar.gz, .tgz, .h or .h.txt) name the same student.
 std::vector<Submission> listSubmissions(const std::string& directory);
 
 /// The student that an entry belongs to: its last name, of files without the ending.
@@ -31,8 +32,9 @@ struct Taken
 };
 
 /// The lesson's exercise.h: `exercise.h` that says it is the lesson's, `exerciseNN.h`, `NN_name/exercise.h` or
-/// `lessons/NN_name/exercise.h`, or any of them one folder deeper. Follows no links, starts nothing, writes nothing; reads at most
-/// 64 MiB. Never throws for what a student may have handed in.
+/// `lessons/NN_name/exercise.h`, or any of them one folder deeper; without those, what downloads make of its name, at any depth;
+/// without that, a header that says it is the lesson's. A folder may hold it in an archive. Follows no links, starts nothing,
+/// writes nothing; reads at most 64 MiB a search. Never throws for what a student may have handed in.
 Taken takeExercise(const Submission& submission, int lesson);
 
 } // namespace rt::grade

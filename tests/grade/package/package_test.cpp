@@ -112,9 +112,77 @@ TEST_F(Package, IsFoundAtEveryPlace)
     write("anna.h", six);
     EXPECT_EQ(taken(at("anna.h")).text, six);
     EXPECT_EQ(taken(at("anna.h"), 5).state, State::missing);
-    EXPECT_EQ(taken(packed("deep.zip", {{"a/b/06_fresnel/exercise.h", six}})).reason,
-              "there is no exercise.h for lesson 06");
     EXPECT_EQ(taken(packed("mac.zip", {{"__MACOSX/exercise.h", six}})).state, State::missing);
+}
+
+TEST_F(Package, IsFoundByTheNamesThatDownloadsMake)
+{
+    for (const char* place :
+         {"exercise-1.h", "exercise (1).h", "exercise(2).h", "Exercise.h", "EXERCISE.H", "exercise.h.txt",
+          "Copy of exercise.h", "exercise - Copy.h", "exercise6.h", "ann_1234_5678_exercise-2.h",
+          "a/b/06_fresnel/exercise.h", "a/b/c/d/Exercise06.H", "fresnel.h", ".exercise.h"})
+    {
+        for (const char* kind : {"a.zip", "a.tar.gz", "A.ZIP", "A.Tgz"})
+        {
+            const auto result = taken(packed(kind, {{"README.md", "x"}, {place, six}, {"exercise05.h", five}}));
+            EXPECT_EQ(result.text, six) << place << " in " << kind << ": " << result.reason;
+        }
+        fs::remove_all(at("student"));
+        write(std::string("student/") + place, six);
+        EXPECT_EQ(taken(at("student")).text, six) << place;
+        EXPECT_EQ(taken(at("student")).remarks.size(), 1U) << place;
+    }
+    for (const char* name : {"Anna.H", "anna-1.h", "anna.h.txt"})
+    {
+        write(name, six);
+        EXPECT_EQ(taken(at(name)).text, six) << name;
+    }
+    // The right name comes first; of copies that differ none is guessed; other headers may be anything.
+    EXPECT_EQ(taken(packed("a.zip", {{"exercise (1).h", six + "// old\n"}, {"exercise.h", six}})).text, six);
+    EXPECT_EQ(refusal(packed("b.zip", {{"exercise (1).h", six + "// old\n"}, {"exercise (2).h", six}})),
+              "there are two different files for lesson 06: exercise (1).h and exercise (2).h");
+    const std::string large((std::size_t(256) << 10) + 1, ' ');
+    EXPECT_EQ(taken(packed("c.zip", {{"image.h", large}, {"exercise-1.h", six}})).text, six);
+}
+
+TEST_F(Package, IsFoundInAnArchiveInAFolder)
+{
+    fs::create_directories(at("anna/inner"));
+    for (const char* name : {"anna/homework.zip", "anna/inner/Homework.ZIP", "anna/inner/homework.tgz"})
+    {
+        fs::rename(packed(fs::path(name).filename().string(), {{"top/exercise.h", six}}), at(name));
+        EXPECT_EQ(taken(at("anna")).text, six) << name;
+        fs::remove(at(name));
+    }
+}
+
+TEST_F(Package, ThatIsMissingSaysWhatWasFound)
+{
+    const std::string none = "there is no exercise.h for lesson 06; found ",
+                      wanted = ", expected exercise.h with namespace rt::exercise06 in it";
+    const auto reason = [&](const std::string& path) {
+        const auto result = taken(path);
+        EXPECT_EQ(result.state, State::missing);
+        return result.reason;
+    };
+    fs::create_directory(at("empty"));
+    EXPECT_EQ(reason(at("empty")), none + "nothing" + wanted);
+    write("five/exercise.h", five);
+    EXPECT_EQ(reason(at("five")), none + "exercise.h" + wanted);
+    write("five.h", five);
+    EXPECT_EQ(reason(at("five.h")), none + "five.h, which says that it is exercise 05" + wanted);
+    write("cy.cpp", six);
+    EXPECT_EQ(reason(at("cy.cpp")), none + "cy.cpp" + wanted);
+    write("packed/homework.rar", "Rar!");
+    EXPECT_EQ(reason(at("packed")), none + "homework.rar" + wanted);
+    EXPECT_EQ(reason(packed("many.zip", {{"1", ""}, {"2", ""}, {"3", ""}, {"4", ""}, {"5", ""}, {"6", ""}, {"7", ""}})),
+              none + "1, 2, 3, 4, 5 and 2 more" + wanted);
+    for (const char* name : {"a.rar", "a.7z", "a.tar.xz", "a.RAR"})
+    {
+        write(name, "x");
+        EXPECT_NE(refusal(at(name)).find(std::string("cannot be opened; found ") + name + ", expected a folder, .zip"),
+                  std::string::npos);
+    }
 }
 
 TEST_F(Package, HasOneFileOfALesson)
@@ -159,7 +227,8 @@ TEST_F(Package, LinksAndDevicesAreNotFollowed)
     fs::create_directory_symlink(at("elsewhere/06_fresnel"), at("through/06_fresnel"));
     EXPECT_EQ(taken(at("through")).state, State::missing);
     fs::create_directory_symlink(at("elsewhere"), at("self"));
-    EXPECT_EQ(refusal(at("self")), "the submission is a link");
+    EXPECT_EQ(refusal(at("self")),
+              "the submission is a link; found self, expected a folder, .zip, .tar, .tar.gz, .tgz or .h");
     fs::create_directory_symlink("..", at("elsewhere/loop"));
     EXPECT_EQ(taken(at("elsewhere")).text, six);
 }
@@ -247,6 +316,11 @@ TEST_F(Package, AStudentIsNamedByTheEntry)
     EXPECT_EQ(studentOf(at("ada.b")), "ada.b"); // a folder has no ending
     EXPECT_EQ(studentOf(at("dora.tar.gz")), "dora");
     EXPECT_EQ(studentOf(at("eve.h")), "eve");
+    EXPECT_EQ(studentOf(at("bob.ZIP")), "bob");
+    EXPECT_EQ(studentOf(at("cy.cpp")), "cy");
+    EXPECT_EQ(studentOf(at("dan.tar.xz")), "dan");
+    EXPECT_EQ(studentOf(at("fay.h.txt")), "fay");
+    EXPECT_EQ(studentOf(at(".gus")), ".gus");
 }
 
 TEST_F(Package, EachEntryIsAStudent)
@@ -256,10 +330,18 @@ TEST_F(Package, EachEntryIsAStudent)
     write("class/carol.tar.gz", "");
     write("class/dora.h", "");
     write("class/notes.txt", "");
+    write("class/.DS_Store", "");
+    write("class/._bob.zip", "");
     write("class/.hidden/exercise.h", six);
     std::string names;
     for (const auto& one : listSubmissions(at("class"))) names += one.student + " ";
-    EXPECT_EQ(names, "anna bob carol dora ");
+    EXPECT_EQ(names, ".hidden anna bob carol dora notes ");
+    fs::create_directory_symlink(at("class/anna"), at("class/linked"));
+    write("class/anna.pdf", "");
+    write("class/ed.RAR", "");
+    names.clear();
+    for (const auto& one : listSubmissions(at("class"))) names += one.student + " ";
+    EXPECT_EQ(names, ".hidden anna anna.pdf bob carol dora ed linked notes ") << "somebody vanished, or came twice";
     write("class/anna.zip", "");
     EXPECT_THROW(listSubmissions(at("class")), std::runtime_error);
     EXPECT_THROW(listSubmissions(at("nowhere")), std::runtime_error);

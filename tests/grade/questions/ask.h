@@ -25,6 +25,7 @@ struct AskOptions
     bool twice = true;                       ///< on a second fresh candidate too; what differs is not deterministic
     bool pictures = true;                    ///< scenes; without them their points are shared by the other classes
     bool mistakes = true;                    ///< name the likely mistake
+    bool hidden = true;                      ///< ask the hidden questions too
     std::string only;                        ///< the id of one exercise; empty: all of the lesson
     std::function<void(double)> progress;    ///< called after each class with the share done, in [0, 1]
     const std::atomic<bool>* stop = nullptr; ///< set it to interrupt: gradeCandidate throws Interrupted
@@ -41,8 +42,9 @@ struct Answers
     std::vector<std::string> remarks; ///< each once
 };
 
-/// Lesson 0 to 8. start() gives a candidate in a fresh process; its functions may throw NotAttempted and Died, and anything
-/// else they throw counts as a wrong answer. Throws Interrupted; std::runtime_error with one sentence if the manifest is
+/// Lesson 0 to 8. start() gives a candidate in a fresh process, for each exercise, run, and once for its public and once for its
+/// hidden questions; the one before is not asked any more. Its functions may throw NotAttempted and Died, and anything else
+/// they throw counts as a wrong answer. Throws Interrupted; std::runtime_error with one sentence if the manifest is
 /// broken. Threads may call it at the same time; they share the questions and what the lesson answers to them.
 Answers gradeCandidate(int lesson, const std::function<Candidate()>& start, const Secret& secret,
                        const AskOptions& options = {});

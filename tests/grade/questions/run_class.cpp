@@ -16,6 +16,11 @@ constexpr double enough = 0.95; // of the cases of a class
 struct Runner
 {
     ClassRun& run;
+    bool strict = false;
+    int answered = 0;
+
+    /// Can it not pass any more? Only asked after a death: each costs a process or seconds, wrong answers cost nothing.
+    bool isLost() const { return strict || run.cases - (answered - run.passed) < enough * run.cases; }
 
     void worse(Outcome outcome) { run.outcome = std::max(run.outcome, outcome); }
 
@@ -30,7 +35,8 @@ struct Runner
     template <class Body>
     void operator()(const std::string& key, const std::string& what, const Body& body)
     {
-        ++run.cases;
+        if (run.gaveUp) return;
+        ++answered;
         try
         {
             run.passed += body();
@@ -43,7 +49,10 @@ struct Runner
         catch (const Died& died)
         {
             run.outOfTime |= died.outcome == Outcome::timedOut || died.outcome == Outcome::notRun;
-            failed(key, name(died.outcome), {what, "an answer", died.what(), {}});
+            run.gaveUp = isLost();
+            const auto rest =
+                run.gaveUp && answered < run.cases ? "; the class was lost then, the rest was not asked" : "";
+            failed(key, name(died.outcome), {what, "an answer", std::string(died.what()) + rest, {}});
             worse(died.outcome);
         }
         catch (const std::exception& error)
@@ -96,16 +105,23 @@ void runQuestions(Runner& runner, const AskedClass& asked, const Candidate& cand
     }
 }
 
+int casesOf(const AskedClass& asked)
+{
+    return asked.picture ? asked.picture->pixels
+                         : int(asked.own.size() + asked.ownGeometry.size() + asked.questions.size());
+}
+
 void runPicture(Runner& runner, const AskedClass& asked, const Candidate& candidate)
 {
     const auto& question = *asked.picture;
     auto& run = runner.run;
+    run.cases = 1;
     Image got;
     runner(asked.name, "the picture", [&] {
         got = candidate.tracer.picture(question.scene);
         return false;
     });
-    run.cases = question.pixels;
+    run.cases = casesOf(asked);
     const auto& expected = question.expected;
     const bool sameSize =
         got.width == expected.width && got.height == expected.height && got.pixels.size() == expected.pixels.size();
@@ -134,15 +150,16 @@ void runPicture(Runner& runner, const AskedClass& asked, const Candidate& candid
 
 } // namespace
 
-ClassRun runClass(const AskedClass& asked, const Candidate& candidate, const std::atomic<bool>* stop)
+ClassRun runClass(const AskedClass& asked, const Candidate& candidate, const std::atomic<bool>* stop, bool strict)
 {
     if (stop && *stop) throw Interrupted();
     ClassRun run;
-    Runner runner{run};
+    Runner runner{run, strict};
     if (asked.picture)
         runPicture(runner, asked, candidate);
     else
     {
+        run.cases = casesOf(asked);
         runOwn(runner, asked.own, inFloat(candidate.tracer), stop);
         runOwn(runner, asked.ownGeometry, inFloat(candidate.geometry), stop);
         runQuestions(runner, asked, candidate, stop);
@@ -150,6 +167,15 @@ ClassRun runClass(const AskedClass& asked, const Candidate& candidate, const std
     }
     if (run.notAttempted) run.credit = 0;
     if (candidate.fingerprint) run.fingerprint = candidate.fingerprint();
+    return run;
+}
+
+ClassRun notAsked(const AskedClass& asked)
+{
+    ClassRun run;
+    run.cases = casesOf(asked);
+    run.outcome = Outcome::notRun;
+    run.outOfTime = run.gaveUp = true;
     return run;
 }
 

@@ -18,10 +18,15 @@ struct ClassRun
     std::optional<Image> picture;   ///< if it is wrong, and of the right size
     std::uint64_t fingerprint = 0;
     bool outOfTime = false; ///< the clock, not the program, decided what was answered: no run to compare with another
+    bool gaveUp = false;    ///< it ended the program so often that no points were left to earn: the rest was not asked
 };
 
-/// Catches all that a candidate's functions throw. `stop` may be null.
-ClassRun runClass(const AskedClass& asked, const Candidate& candidate, const std::atomic<bool>* stop);
+/// Catches all that a candidate's functions throw. `stop` may be null. `strict`: one death is enough to give up.
+ClassRun runClass(const AskedClass& asked, const Candidate& candidate, const std::atomic<bool>* stop,
+                  bool strict = false);
+
+/// Of a class that was not asked at all.
+ClassRun notAsked(const AskedClass& asked);
 
 /// The comparison for the student's eyes, at the counted pixel that is most wrong; asks the candidate for its ray tree there.
 PictureTriple compareFor(const AskedClass& asked, const Image& got, const Candidate& candidate, int lesson);

@@ -150,8 +150,10 @@ class Recipes(unittest.TestCase):
         self.assertEqual([path.name for path in (PLACE / "results").iterdir()], ["results.json"])
         result = json.loads((PLACE / "results/results.json").read_text())
         most = sum(test["max_score"] for test in result["tests"])
-        self.assertTrue(0 < result["score"] < most, result["output"])
-        self.assertAlmostEqual(result["score"], sum(test["score"] for test in result["tests"]), delta=1e-3)  # each has 4 digits
+        self.assertTrue(0 < sum(test["score"] for test in result["tests"]) < most, result["output"])
+        self.assertNotIn("score", result, "Gradescope would show hidden points at once")
+        for folder in ("source", "submission"):
+            self.assertEqual((PLACE / folder).stat().st_mode & 0o777, 0o700)
         # The same as the instructor gets at home with the same secret and term.
         run("./raytree", "grade", 2, "--submission", PLACE / "submission", "--out", self.out, "--secret", PLACE / "secret", "--term", "2026-fall")
         data = result["extra_data"]["raytree"]
@@ -163,6 +165,36 @@ class Recipes(unittest.TestCase):
         result = json.loads((PLACE / "results/results.json").read_text())
         self.assertEqual(result["score"], 0)
         self.assertIn("exercise.h", result["output"])
+
+    def test_gradescope_gets_a_result_whatever_happens(self):
+        place = self.here / "autograder"
+        (place / "source/raytree").mkdir(parents=True)
+        (place / "submission").mkdir()
+        script = place / "source/run_autograder"
+        shutil.copy(RECIPES / "gradescope/run_autograder", script)
+        course = place / "source/course.sh"
+        course.write_text("LESSON=2\nTERM_NAME=t\n")
+        results = place / "results/results.json"
+        written = 'out=; while [ $# -gt 0 ]; do [ "$1" = --out ] && out=$2; shift; done; mkdir -p "$out/results/submission"; echo \'{"score": 1}\' >"$out/results/submission/results.json"\n'
+
+        def graded(raytree):
+            (place / "source/raytree/raytree").write_text("#!/bin/sh\n" + raytree)
+            (place / "source/raytree/raytree").chmod(0o755)
+            results.unlink(missing_ok=True)
+            run(script, cwd="/", AUTOGRADER=str(place))
+            self.assertEqual([path.name for path in results.parent.iterdir()], ["results.json"])
+            return json.loads(results.read_text())
+
+        for code in (1, 2, 3, 4, 130):
+            result = graded(f"echo 'building' >&2; echo 'grade: no \"box\" \\ holds\there \033[31m\303\274' >&2\nexit {code}\n")
+            self.assertEqual(result["score"], 0)
+            self.assertRegex(result["output"], rf"could not be graded.*exit code {code}.*grade: no .box. . holds.*here")
+            self.assertEqual(result["tests"][0]["visibility"], "visible")
+        self.assertEqual(graded(written + "exit 3\n"), {"score": 1})  # what was written counts, also after a failure
+        self.assertIn("killed", graded("echo killed >&2; kill -9 $$\n")["output"])
+        self.assertIn("exit code 0", graded("exit 0\n")["output"])  # and nothing written
+        course.unlink()
+        self.assertIn("could not be graded", graded(written)["output"])
 
     def test_slurm(self):
         parts = int(re.search(r"#SBATCH --array=1-(\d+)", (RECIPES / "slurm.sbatch").read_text())[1])

@@ -1,6 +1,8 @@
 #include "tests/grade/report/results_json.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -134,22 +136,41 @@ OrderedJson tests(const SubmissionResult& result, HiddenTests hidden)
     return array;
 }
 
+/// Gradescope shows `output`, and may show a `score` given here, at once; it must not tell how hidden classes went before these
+/// are shown themselves. Without a `score` it adds up the tests, those that a student may see by then.
+bool tellsTheSum(const SubmissionResult& result, HiddenTests hidden)
+{
+    return hidden == HiddenTests::visible ||
+           std::none_of(result.classes.begin(), result.classes.end(), [](const auto& one) { return one.hidden; });
+}
+
+std::string publicSentence(const SubmissionResult& result)
+{
+    SubmissionResult shown;
+    std::copy_if(result.classes.begin(), result.classes.end(), std::back_inserter(shown.classes),
+                 [](const auto& one) { return !one.hidden; });
+    return fmt::format("Graded: {} of {} points for the public cases; hidden cases have {} more.",
+                       pointsText(shown.points()), pointsText(shown.most()), pointsText(result.most() - shown.most()));
+}
+
 } // namespace
 
 std::string resultsJson(const SubmissionResult& result, HiddenTests hidden)
 {
-    std::vector<std::string> lines = {stateSentence(result)};
+    const bool whole = tellsTheSum(result, hidden);
+    std::vector<std::string> lines = {whole ? stateSentence(result) : publicSentence(result)};
     for (const auto& remark : result.remarks) lines.push_back(cleanLine(remark));
-    const OrderedJson json{{"score", rounded(finite(result.points(), "points"))},
-                           {"execution_time", rounded(finite(result.seconds, "seconds"))},
-                           {"output", joined(lines)},
-                           {"output_format", "text"},
-                           {"test_output_format", "text"},
-                           {"test_name_format", "text"},
-                           {"visibility", "visible"},
-                           {"stdout_visibility", "hidden"},
-                           {"tests", tests(result, hidden)},
-                           {"extra_data", {{"raytree", exact(result)}}}};
+    const double points = rounded(finite(result.points(), "points"));
+    OrderedJson json{{"execution_time", rounded(finite(result.seconds, "seconds"))},
+                     {"output", joined(lines)},
+                     {"output_format", "text"},
+                     {"test_output_format", "text"},
+                     {"test_name_format", "text"},
+                     {"visibility", "visible"},
+                     {"stdout_visibility", "hidden"},
+                     {"tests", tests(result, hidden)},
+                     {"extra_data", {{"raytree", exact(result)}}}};
+    if (whole) json["score"] = points;
     return json.dump(1, ' ', true) + "\n";
 }
 

@@ -16,7 +16,8 @@ enum class HiddenTests
     never           ///< Gradescope then does not show the sum either
 };
 
-/// The file's text, in ASCII. `score`, `tests` and `output` are for the student and rounded; `extra_data` is exact, for
+/// The file's text, in ASCII. `score` (only where no class is hidden from the student for now), `tests` and `output` are for the
+/// student and rounded; `extra_data` is exact, for
 /// programs and instructors, and alone has what the student's program printed. Pictures are left out. Foreign text is
 /// repaired, of everything but the student's name the first 4 KiB are kept. A field that is not finite where a number
 /// must be throws std::runtime_error.

@@ -133,7 +133,6 @@ TEST(ResultsJson, OfHostileTextIsAsciiAndBounded)
 TEST(ResultsJson, SaysWhatGradescopeReads)
 {
     const auto json = Json::parse(resultsJson(samples::partial("ada")));
-    EXPECT_EQ(json["score"], 6.0);
     EXPECT_EQ(json["execution_time"], 2.375);
     EXPECT_EQ(json["stdout_visibility"], "hidden");
     EXPECT_FALSE(json.contains("leaderboard"));
@@ -158,6 +157,28 @@ TEST(ResultsJson, SaysOfHiddenCasesOnlyTheNameThePointsAndTheMistake)
     EXPECT_EQ(hidden["visibility"], "after_published");
     EXPECT_EQ(Json::parse(resultsJson(result, HiddenTests::never))["tests"][3]["visibility"], "hidden");
     EXPECT_EQ(Json::parse(resultsJson(result, HiddenTests::visible))["tests"][3]["visibility"], "visible");
+}
+
+TEST(ResultsJson, TellsNoSumThatHoldsHiddenClassesBeforeTheseAreShown)
+{
+    auto all = samples::partial("ada"), none = all;
+    for (auto& one : none.classes)
+        if (one.hidden) one.points = 0;
+    ASSERT_NE(all.points(), none.points());
+    const auto seen = [](const SubmissionResult& result, HiddenTests hidden) {
+        auto json = Json::parse(resultsJson(result, hidden));
+        json.erase("extra_data");
+        if (hidden == HiddenTests::visible) return json;
+        auto& tests = json["tests"];
+        for (auto test = tests.begin(); test != tests.end();)
+            test = (*test)["visibility"] == "visible" ? test + 1 : tests.erase(test);
+        return json;
+    };
+    for (const auto hidden : {HiddenTests::afterPublished, HiddenTests::never})
+        EXPECT_EQ(seen(all, hidden), seen(none, hidden));
+    EXPECT_EQ(seen(all, HiddenTests::visible)["score"], all.points());
+    std::erase_if(all.classes, [](const auto& one) { return one.hidden; });
+    EXPECT_EQ(seen(all, HiddenTests::afterPublished)["score"], all.points());
 }
 
 TEST(ResultsJson, KeepsWhatTheProgramPrintedFromTheStudent)

@@ -18,8 +18,9 @@ namespace
 {
 
 constexpr int mostDeaths = 20;
+constexpr int mostSilent =
+    3; ///< processes in a row that ended before their first answer: no question is to blame for that
 constexpr std::size_t processesHeard = 4, textKept = 4096;
-constexpr double patience = 3; ///< times the wall time of one process: what all of them may take together
 
 /// A student's numbers come from other formulas than the lesson's, and that is fine: with this epsilon the 64 units in the
 /// last place that cases allow are 6e-8, a millionth of what an eye sees and a thousandth of what a mistake costs. It also
@@ -50,10 +51,10 @@ struct Remote::State
     std::unique_ptr<Child> child;
     std::string scene; ///< that it has, as bytes
     std::uint32_t sequence = 0;
-    bool fresh = true; ///< it has not answered yet
-    double waited = 0; ///< for this process, in seconds
-    double waitedForAll = 0;
+    double waited = 0; ///< in seconds
+    bool hung = false; ///< one of them did not answer in time
     int deaths = 0;
+    int silent = 0;        ///< see mostSilent
     std::size_t ended = 0; ///< processes
     std::string printed;
     Hash hash;
@@ -72,8 +73,26 @@ struct Remote::State
             throw GraderError(error.what());
         }
         scene.clear();
-        fresh = true;
+        greet();
+    }
+
+    /// An empty scene is a question that costs nothing: whoever answers it has started, and later ones need no time for that.
+    void greet()
+    {
+        const Hash before = hash; // it is no answer of the exercise's
+        ++silent;
+        exchange(Function::scene, encode(SceneDescription{}), secondsToStart());
+        silent = 0;
+        hash = before;
+    }
+
+    /// Nothing of what it was asked, or did, counts any more; only whether it starts at all.
+    void renew()
+    {
+        if (child) finish();
+        deaths = 0;
         waited = 0;
+        hung = false;
     }
 
     Child::End finish()
@@ -119,16 +138,14 @@ struct Remote::State
         const double most = std::min(seconds, limits.wallSeconds - waited);
         const auto begin = Clock::now();
         const auto used = [&] { return std::chrono::duration<double>(Clock::now() - begin).count(); };
-        const auto count = [&] {
-            waited += used();
-            waitedForAll += used();
-        };
+        const auto count = [&] { waited += used(); };
         const auto receive = [&](std::size_t size) {
             std::string bytes;
             const auto got = child->receive(bytes, size, std::max(0.0, most - used()));
             if (got == Child::Got::all) return bytes;
             count();
             if (got == Child::Got::ended) gone();
+            hung = true;
             stop(Outcome::timedOut,
                  waited >= limits.wallSeconds
                      ? fmt::format("all answers together took more than {:.3g} s", limits.wallSeconds)
@@ -155,7 +172,6 @@ struct Remote::State
         }
         bytes = receive(head.size);
         count();
-        fresh = false;
         hash.add(std::string(1, char(head.status)));
         hash.add(bytes);
         judge(head.status, bytes, function == Function::scene);
@@ -178,17 +194,21 @@ struct Remote::State
     {
         if (deaths >= mostDeaths)
             throw Died(Outcome::notRun, fmt::format("it is not asked any more: it ended {} times", deaths));
-        if (waitedForAll >= patience * limits.wallSeconds)
-            throw Died(Outcome::notRun,
-                       fmt::format("it is not asked any more: its answers took {:.3g} s", waitedForAll));
+        if (waited >= limits.wallSeconds)
+            throw Died(Outcome::notRun, fmt::format("it is not asked any more: its answers took {:.3g} s", waited));
+        if (silent >= mostSilent)
+            throw Died(Outcome::notRun, fmt::format("it is not asked any more: it did not start {} times", silent));
         if (!child) start();
     }
 
     double secondsFor(Function function) const
     {
-        // The shares that make 2 and 10 of 24. Starting counts, too: other processes may be before it.
-        return limits.wallSeconds * (fresh || function == Function::picture ? 5 : 1) / 12;
+        // The shares that make 2 and 10 of 24.
+        return limits.wallSeconds * (function == Function::picture && !hung ? 5 : 1) / 12;
     }
+
+    /// Other processes may be before it.
+    double secondsToStart() const { return limits.wallSeconds * 5 / 12; }
 
     template <class R>
     R ask(Function function, std::string_view payload)
@@ -310,6 +330,12 @@ Candidate Remote::candidate() const
         return image;
     };
     return candidate;
+}
+
+Candidate Remote::afresh() const
+{
+    state->renew();
+    return candidate();
 }
 
 std::string Remote::text()

@@ -16,18 +16,22 @@ class Remote
 {
 public:
     /// `program`: an exercise of this lesson (0 to 8) linked with the runner. A question may take wallSeconds / 12, a picture or
-    /// the first question of a process 5/12 of them; all questions to one process wallSeconds, all together three times that.
+    /// the start of a process 5/12 of them (a picture no more than other questions once one hung); all together wallSeconds.
     Remote(const Box& box, const std::string& program, int lesson, const Limits& limits);
 
     /// Its functions, those that the lesson has, throw what the student's exercise did: NotAttempted with an id of this lesson,
-    /// or std::runtime_error with the text of an exception, which is foreign. Died: see there; after 20 deaths, or when the
-    /// time is used up, they throw Died with notRun and start nothing. GraderError: the box failed.
+    /// or std::runtime_error with the text of an exception, which is foreign. Died: see there; after 20 deaths, when the
+    /// time is used up, or when three processes in a row did not even start to answer, they throw Died with notRun and start
+    /// nothing. GraderError: the box failed.
     Candidate candidate() const;
 
-    /// Ends the process, if there is one, and gives what all of them printed: 4 KiB of each of the first four. Foreign.
+    /// The same in a new process that knows nothing of what was asked before, with all its deaths and time before it again.
+    Candidate afresh() const;
+
+    /// Ends the process, if there is one, and gives what they printed: 4 KiB of each of the first four. Foreign.
     std::string text();
 
-    int deaths() const;
+    int deaths() const; ///< since it was made, or asked afresh
 
 private:
     struct State;
