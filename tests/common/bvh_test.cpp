@@ -40,17 +40,16 @@ struct Scan
         const auto firstTriangle = PrimitiveId(scene.spheres.size() + scene.planes.size());
         for (const auto& triangle : scene.triangles)
         {
-            if (id != ray.from && !(ray.from >= firstTriangle && startsOn(ray, triangle)))
-                if (const auto t = Shapes<Real>::intersectTriangle(ray, triangle)) visit(id, *t);
+            if (id != ray.from)
+            {
+                const auto t = ray.from < firstTriangle
+                                   ? Shapes<Real>::intersectTriangle(ray, triangle)
+                                   : LeaveTriangle<Real>(ray, scene.triangles[std::size_t(ray.from - firstTriangle)])
+                                         .meet(triangle);
+                if (t) visit(id, *t);
+            }
             ++id;
         }
-    }
-
-    static bool startsOn(const Ray<Real>& ray, const Triangle<Real>& triangle)
-    {
-        const Vec3<Real> a = abs(triangle.a), o = abs(ray.O);
-        const Real bound = 16 * std::numeric_limits<Real>::epsilon() * (a.x + a.y + a.z + o.x + o.y + o.z);
-        return std::abs(dot(ray.O - triangle.a, triangle.N)) <= bound;
     }
 
     std::pair<PrimitiveId, Real> nearest(const Ray<Real>& ray) const
