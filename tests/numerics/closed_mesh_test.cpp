@@ -95,19 +95,19 @@ TYPED_TEST(ClosedMesh, LetsNoMirrorImageOutWhereverItIs)
     Random random(1501);
     for (const double far : {0.0, 1e1, 1e3, 1e5, 1e6})
     {
-        for (const V& at : {V(far, 0, 0), V(far, -far, far)}) expectNoLeak(sceneOf<Real>(cube(), at), at, random, 4000);
+        for (const V& at : {V(far, 0, 0), V(far, -far, far)}) expectNoLeak(sceneOf<Real>(cube(), at), at, random, 1200);
         if (far > 1e5) continue; // a turned cube is no longer convex there in float
         for (int i = 0; i < 2; ++i)
         {
             const V at = far * random.vector(-1, 1);
-            expectNoLeak(sceneOf<Real>(turned(cube(), random), at), at, random, 2000);
+            expectNoLeak(sceneOf<Real>(turned(cube(), random), at), at, random, 600);
         }
     }
     for (const double far : {0.0, 1e1, 1e3})
         for (int i = 0; i < 3; ++i)
         {
             const V at = far * random.vector(-1, 1);
-            expectNoLeak(sceneOf<Real>(dented(random), at), at, random, 1000);
+            expectNoLeak(sceneOf<Real>(dented(random), at), at, random, 300);
         }
 }
 
@@ -147,7 +147,8 @@ TYPED_TEST(ClosedMesh, PanesKeepBothSidesDownToTheTypesSpacing)
         const auto scene = sceneOf<Real>(pane, V(0));
         for (int i = 0; i < 1000; ++i)
         {
-            const Vec3<Real> O(Real(x) - 1, Real(random.in(-0.5, 0.5)), Real(random.in(-0.5, 0.5)));
+            // So near that the two sides' distances differ.
+            const Vec3<Real> O(front - 8 * (back - front), Real(random.in(-0.5, 0.5)), Real(random.in(-0.5, 0.5)));
             const Vec3<Real> D = unit(Vec3<Real>(1, Real(random.in(-0.4, 0.4)), Real(random.in(-0.4, 0.4))));
             const auto first = scene.intersect({.O = O, .D = D});
             ASSERT_TRUE(first);
