@@ -108,8 +108,8 @@ public:
         constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
         const bool isEmpty = text.empty();
         if (text.starts_with(byteOrderMark)) text.remove_prefix(byteOrderMark.size());
-        text = text.substr(0, text.find_last_not_of(" \t\r\n\x1A") + 1); // DOS ended files by ^Z
         if (text.find('\n') == text.npos) lineEnd = '\r';
+        text = text.substr(0, text.find_last_not_of(" \t\r\n\x1A") + 1); // DOS ended files by ^Z
         while (nextLine()) readLine();
         if (faces == 0)
             throw SceneError(fmt::format("{}: {}, expected at least one line such as 'f 1 2 3'", file,
