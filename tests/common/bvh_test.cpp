@@ -42,14 +42,22 @@ struct Scan
         {
             if (id != ray.from)
             {
-                const auto t = ray.from < firstTriangle
-                                   ? Shapes<Real>::intersectTriangle(ray, triangle)
-                                   : LeaveTriangle<Real>(ray, scene.triangles[std::size_t(ray.from - firstTriangle)])
-                                         .meet(triangle);
+                const auto t =
+                    ray.from < firstTriangle
+                        ? Shapes<Real>::intersectTriangle(ray, triangle)
+                        : leaveTriangle(ray, scene.triangles[std::size_t(ray.from - firstTriangle)], triangle);
                 if (t) visit(id, *t);
             }
             ++id;
         }
+    }
+
+    static std::optional<Real> leaveTriangle(const Ray<Real>& ray, const Triangle<Real>& from, const Triangle<Real>& to)
+    {
+        const LeaveTriangle<Real> left(ray, from);
+        if (left.startsWithin()) return left.meet(to);
+        const auto t = left.fromWithin().meet(left.widened(to));
+        return t ? std::optional(std::max(Real(*t), std::numeric_limits<Real>::denorm_min())) : std::nullopt;
     }
 
     std::pair<PrimitiveId, Real> nearest(const Ray<Real>& ray) const
