@@ -262,6 +262,11 @@ TYPED_TEST(Search, LivesAtTheEndsOfItsType)
         for (auto& sphere : world.scene.spheres) sphere.center *= k, sphere.radius *= k;
         for (auto& triangle : world.scene.triangles)
             for (auto& vertex : triangle.vertices) vertex *= k;
+        if (std::is_same_v<Real, double>) // squares and cubes have no range to spare there
+        {
+            EXPECT_THROW(Scene<Real>{world.scene}, std::range_error);
+            continue;
+        }
         Scene<Real> scene(world.scene);
         Tally tally;
         for (int i = 0; i < 2000; ++i)
