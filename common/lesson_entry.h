@@ -64,7 +64,12 @@ Ray<Real> probeRay(const Scene<Real>& scene, const Probe& probe)
     if (const auto* pixel = std::get_if<std::array<int, 2>>(&probe))
         return scene.camera.ray(Real((*pixel)[0]) + Real(0.5), Real((*pixel)[1]) + Real(0.5));
     const auto& given = std::get<GivenRay>(probe);
-    return {.O = Vec3<Real>(given.origin), .D = unit(Vec3<Real>(given.direction))};
+    // To about length 1 by a power of two, so that it fits any type; no bit of the unit vector depends on it.
+    const auto size = abs(given.direction);
+    const int exponent = std::ilogb(largestChannel(size));
+    Vec3<double> direction;
+    for (int axis = 0; axis < 3; ++axis) direction[axis] = std::ldexp(given.direction[axis], -exponent);
+    return {.O = narrow<Real>(given.origin, "the ray's origin"), .D = unit(Vec3<Real>(direction))};
 }
 
 template <class Tracer, std::floating_point Real>

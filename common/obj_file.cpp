@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
+#include <numeric>
 
 #include "common/scene_text.h"
 
@@ -37,6 +38,66 @@ std::string quoted(std::string_view word)
     return inQuotes(ascii);
 }
 
+using Corner2 = std::array<double, 2>;
+
+/// Twice the area of a, b, c; positive if they turn to the left.
+double turn(const Corner2& a, const Corner2& b, const Corner2& c)
+{
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+/// The polygon as seen from its front, its largest side about 1.
+std::vector<Corner2> flattened(const std::vector<Vec3<double>>& corners)
+{
+    Vec3<double> normal(0), size(0);
+    for (const auto& corner : corners) size = max(size, abs(corner - corners[0]));
+    const double scale = largestChannel(size);
+    const auto at = [&](std::size_t i) { return (corners[i % corners.size()] - corners[0]) / scale; };
+    for (std::size_t i = 0; i < corners.size(); ++i) normal += cross(at(i), at(i + 1));
+    const auto n = abs(normal);
+    const int z = n.x > n.y ? (n.x > n.z ? 0 : 2) : (n.y > n.z ? 1 : 2);
+    int x = (z + 1) % 3, y = (z + 2) % 3;
+    if (normal[z] < 0) std::swap(x, y);
+    std::vector<Corner2> flat;
+    for (std::size_t i = 0; i < corners.size(); ++i) flat.push_back({at(i)[x], at(i)[y]});
+    return flat;
+}
+
+/// Cuts ears off a polygon that is not convex: triangles of corners that follow each other and have no other one within.
+/// Calls add(i, j, k) for each; false if there is no ear, as where the polygon crosses itself.
+template <class Add>
+bool cutEars(const std::vector<Corner2>& flat, Add&& add)
+{
+    std::vector<std::size_t> left(flat.size());
+    std::iota(left.begin(), left.end(), std::size_t(0));
+    const auto isEar = [&](std::size_t i, std::size_t j, std::size_t k) {
+        const auto &a = flat[i], &b = flat[j], &c = flat[k];
+        if (!(turn(a, b, c) > 0)) return false;
+        return std::ranges::none_of(left, [&](std::size_t other) {
+            const auto& p = flat[other];
+            return p != a && p != b && p != c && turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
+        });
+    };
+    for (std::size_t at = 0, tried = 0; left.size() > 3;)
+    {
+        const auto n = left.size();
+        const std::size_t i = left[(at + n - 1) % n], j = left[at % n], k = left[(at + 1) % n];
+        const bool isFlat = turn(flat[i], flat[j], flat[k]) == 0;
+        if (!isFlat && !isEar(i, j, k))
+        {
+            if (++tried > n) return false;
+            ++at;
+            continue;
+        }
+        add(i, j, k);
+        left.erase(left.begin() + std::ptrdiff_t(at % n));
+        at = at % n;
+        tried = 0;
+    }
+    add(left[0], left[1], left[2]);
+    return turn(flat[left[0]], flat[left[1]], flat[left[2]]) >= 0;
+}
+
 class ObjReader
 {
 public:
@@ -47,6 +108,8 @@ public:
         constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
         const bool isEmpty = text.empty();
         if (text.starts_with(byteOrderMark)) text.remove_prefix(byteOrderMark.size());
+        if (text.find('\n') == text.npos) lineEnd = '\r';
+        text = text.substr(0, text.find_last_not_of(" \t\r\n\x1A") + 1); // DOS ended files by ^Z
         while (nextLine()) readLine();
         if (faces == 0)
             throw SceneError(fmt::format("{}: {}, expected at least one line such as 'f 1 2 3'", file,
@@ -56,6 +119,12 @@ public:
         else if (flat > 1)
             warnings.push_back(fmt::format("{}:{}: {} triangles have no area and are left out, the first of them here",
                                            file, firstFlat, flat));
+        if (crossed > 0)
+            warnings.push_back(fmt::format(
+                "{}:{}: {} no polygon that could be cut into triangles, since it crosses "
+                "itself; it is filled by a fan",
+                file, firstCrossed,
+                crossed == 1 ? "a face is" : fmt::format("{} faces, the first of them here, are", crossed)));
         return std::move(triangles);
     }
 
@@ -69,25 +138,41 @@ private:
     /// Cuts a line off `text`.
     std::string_view cutLine()
     {
-        auto cut = text.substr(0, text.find('\n'));
+        auto cut = text.substr(0, text.find(lineEnd));
         text.remove_prefix(std::min(text.size(), cut.size() + 1));
         if (cut.ends_with('\r')) cut.remove_suffix(1);
         return cut;
     }
 
-    /// A backslash at a line's end joins it to the next one, but not in a comment, where it may end a Windows path.
+    /// Where the backslash stands that joins the line to the next one; npos if it is not joined. In a comment a backslash
+    /// may end a Windows path. A next line that begins with a keyword is one of its own: here it ends a name.
+    std::size_t joint(std::string_view cut) const
+    {
+        const auto last = cut.find_last_not_of(blanks);
+        if (last == cut.npos || cut[last] != '\\' || cut.find('#') < last || text.empty()) return cut.npos;
+        auto next = text.substr(0, text.find(lineEnd));
+        next.remove_prefix(std::min(next.size(), next.find_first_not_of(blanks)));
+        return isKeyword(next.substr(0, next.find_first_of(blanks))) ? cut.npos : last;
+    }
+
+    static bool isKeyword(std::string_view word)
+    {
+        return word == "v" || word == "f" || word == "fo" || std::ranges::count(ignoredWords, word);
+    }
+
     bool nextLine()
     {
         line += linesInOne;
         linesInOne = 1;
         if (text.empty()) return false;
         rest = cutLine();
-        if (!rest.ends_with('\\') || rest.find_first_not_of(blanks) == rest.find('#')) return true;
+        if (joint(rest) == rest.npos) return true;
 
         joined = rest;
-        for (; joined.ends_with('\\') && !text.empty(); ++linesInOne)
+        for (auto end = joint(joined); end != joined.npos; end = joint(joined), ++linesInOne)
         {
-            joined.back() = ' ';
+            joined.resize(end);
+            joined += ' ';
             joined += cutLine();
         }
         rest = joined;
@@ -99,6 +184,7 @@ private:
     {
         rest.remove_prefix(std::min(rest.size(), rest.find_first_not_of(blanks)));
         if (rest.starts_with('#')) rest = {};
+        if (rest == "\\") rest = {}; // it joins nothing
         const auto word = rest.substr(0, rest.find_first_of(blanks));
         rest.remove_prefix(word.size());
         return word;
@@ -109,9 +195,9 @@ private:
         const auto keyword = nextWord();
         if (keyword == "v")
             readVertex();
-        else if (keyword == "f")
+        else if (keyword == "f" || keyword == "fo") // the old name
             readFace();
-        else if (!keyword.empty() && !std::ranges::count(ignoredWords, keyword))
+        else if (!keyword.empty() && !isKeyword(keyword))
             fail("unknown keyword {}, expected 'v', 'f' or another one of OBJ", quoted(keyword));
     }
 
@@ -144,20 +230,47 @@ private:
 
     void readFace()
     {
-        Vec3<double> first, previous;
-        std::size_t corners = 0;
-        for (auto word = nextWord(); !word.empty(); word = nextWord())
-        {
-            const auto& vertex = corner(word);
-            if (corners == 0) first = vertex;
-            if (corners >= 2) add({first, previous, vertex});
-            previous = vertex;
-            ++corners;
-        }
-        if (corners < 3)
-            fail("a face of {}, expected at least 3 corners",
-                 corners == 1 ? "1 corner" : fmt::format("{} corners", corners));
+        corners.clear();
+        for (auto word = nextWord(); !word.empty(); word = nextWord()) corners.push_back(corner(word));
+        if (corners.empty()) fail("a face of 0 corners, expected at least 3");
         ++faces;
+        if (corners.size() < 3)
+            noteFlat();
+        else if (corners.size() > 3 && !isConvex())
+            cutConcave();
+        else
+            addFan();
+    }
+
+    void addFan()
+    {
+        for (std::size_t i = 2; i < corners.size(); ++i) add({corners[0], corners[i - 1], corners[i]});
+    }
+
+    /// Does it turn one way only? Then a fan fills it.
+    bool isConvex()
+    {
+        flatCorners = flattened(corners);
+        const auto n = flatCorners.size();
+        for (std::size_t i = 0; i < n; ++i)
+            if (turn(flatCorners[i], flatCorners[(i + 1) % n], flatCorners[(i + 2) % n]) < -roundingOfTurns)
+                return false;
+        return true;
+    }
+
+    void cutConcave()
+    {
+        constexpr std::size_t most = 1000; // it takes time that grows with the square
+        if (corners.size() > most)
+            fail("a face of {} corners that is not convex, expected at most {}", corners.size(), most);
+        std::vector<std::array<std::size_t, 3>> ears;
+        if (cutEars(flatCorners, [&](auto i, auto j, auto k) { ears.push_back({i, j, k}); }))
+        {
+            for (const auto& [i, j, k] : ears) add({corners[i], corners[j], corners[k]});
+            return;
+        }
+        if (++crossed == 1) firstCrossed = line;
+        addFan();
     }
 
     /// The vertex of `7`, `7/1`, `7//2` or `7/1/2`: the first number, from 1, or from -1 for the last vertex backwards.
@@ -184,13 +297,19 @@ private:
     {
         if (triangles.size() + flat == mostMeshTriangles)
             fail("too many triangles, expected at most {}", mostMeshTriangles);
-        if (!isDegenerate(triangle))
+        if (isDegenerate(triangle))
+            noteFlat();
+        else
             triangles.push_back(triangle);
-        else if (++flat == 1)
-            firstFlat = line;
+    }
+
+    void noteFlat()
+    {
+        if (++flat == 1) firstFlat = line;
     }
 
     static constexpr const char* blanks = " \t\r\v\f";
+    static constexpr double roundingOfTurns = 64 * std::numeric_limits<double>::epsilon(); ///< of a polygon of size 1
 
     const std::string& file;
     std::string_view text; ///< what is still to be read
@@ -201,7 +320,11 @@ private:
     std::vector<Vec3<double>> vertices;
     std::vector<MeshTriangle> triangles;
     std::size_t faces = 0;
-    std::size_t flat = 0, firstFlat = 0; ///< triangles without area, and the line of the first
+    std::size_t flat = 0, firstFlat = 0;       ///< triangles without area, and the line of the first
+    std::size_t crossed = 0, firstCrossed = 0; ///< the same of polygons that cross themselves
+    std::vector<Vec3<double>> corners;         ///< of the current face
+    std::vector<Corner2> flatCorners;
+    char lineEnd = '\n'; ///< a file without it has lines that end in CR only
 };
 
 } // namespace

@@ -8,6 +8,7 @@
 
 #include "common/camera.h"
 #include "common/hit.h"
+#include "common/leave_triangle.h"
 #include "common/light.h"
 #include "common/look_ahead.h"
 #include "common/ray_limit.h"
@@ -129,6 +130,9 @@ private:
     void visitTriangles(const Vec3<Real>& O, const Vec3<Real>& D, PrimitiveId from, const Real& limit,
                         Found& found) const;
 
+    template <Instructions set, class Found>
+    void visitFromRim(const Ray<Real>& ray, const LeaveTriangle<Real>& left, const Real& limit, Found& found) const;
+
 #if RAYTREE_HAS_AVX2
     // By itself, since most scenes have none, and scans of spheres are faster beside less.
     template <class Found>
@@ -139,13 +143,10 @@ private:
     }
 #endif
 
-    /// Does a ray that leaves one triangle start in the plane of this other one, up to the rounding of its origin? Then it
-    /// leaves both: they are parts of one surface, or meet at an edge.
-    static bool startsOn(const Ray<Real>& ray, const Triangle<Real>& triangle)
+    /// Has it all its digits?
+    static bool isOrdinary(Wide<Real> x)
     {
-        const Vec3<Real> a = abs(triangle.a), o = abs(ray.O);
-        const Real bound = 16 * std::numeric_limits<Real>::epsilon() * (a.x + a.y + a.z + o.x + o.y + o.z);
-        return std::abs(dot(ray.O - triangle.a, triangle.N)) <= bound;
+        return x >= std::numeric_limits<Wide<Real>>::min() && x < infinity<Wide<Real>>;
     }
 
     Hit<Real> hitAt(const Ray<Real>& ray, Real t, PrimitiveId id) const;
@@ -173,9 +174,10 @@ Scene<Real>::Scene(const SceneDescription& description)
     for (const auto& m : description.materials)
     {
         const std::string name = "materials." + m.name;
-        materials.push_back({m.name, Vec3<Real>(m.color), Real(m.mirror), narrow<Real>(m.ior, name + ".ior"),
-                             narrow<Real>(m.iorOutside, name + ".ior_outside"), Real(m.glossy),
-                             narrow<Real>(m.exponent, name + ".exponent")});
+        materials.push_back({m.name, narrowColor<Real>(m.color, name + ".color"),
+                             narrow<Real>(m.mirror, name + ".mirror"), narrow<Real>(m.ior, name + ".ior"),
+                             narrow<Real>(m.iorOutside, name + ".ior_outside"),
+                             narrow<Real>(m.glossy, name + ".glossy"), narrow<Real>(m.exponent, name + ".exponent")});
         // V.R is 1 up to some eps, and its power grows with the exponent. A highlight so narrow that directions cannot
         // resolve it is not made narrower, or it would get infinitely bright.
         auto& mat = materials.back();
@@ -189,6 +191,10 @@ Scene<Real>::Scene(const SceneDescription& description)
         const std::string name = "sphere" + std::to_string(spheres.size());
         spheres.push_back(
             {narrow<Real>(s.center, name + ".center"), narrow<Real>(s.radius, name + ".radius"), s.material});
+        const Wide<Real> r = spheres.back().r;
+        if (!isOrdinary(r * r))
+            throw std::range_error("the square of " + name + ".radius = " + shortestDigits(s.radius) +
+                                   " does not fit the tracer's scalar type");
     }
     for (const auto& p : description.planes)
     {
@@ -201,7 +207,7 @@ Scene<Real>::Scene(const SceneDescription& description)
             plane.checkerMaterial = int(materials.size());
             plane.checkerSize = narrow<Real>(p.checkerSize, name + ".checker.size");
             materials.push_back(materials[std::size_t(p.material)]);
-            materials.back().color = Vec3<Real>(p.checkerColor);
+            materials.back().color = narrowColor<Real>(p.checkerColor, name + ".checker.color");
 
             // The axes are the two world axes that the plane faces least, laid into the plane: x and z for a floor.
             const Vec3<Real> N = plane.N, size = abs(N);
@@ -216,11 +222,17 @@ Scene<Real>::Scene(const SceneDescription& description)
         planes.push_back(plane);
     }
     const auto addTriangle = [&](const std::array<Vec3<double>, 3>& vertices, int material, const std::string& name) {
+        // The normal is that of the rounded corners: those are what rays meet.
+        const auto a = narrow<Real>(vertices[0], name), b = narrow<Real>(vertices[1], name),
+                   c = narrow<Real>(vertices[2], name);
         using Vec = Vec3<Wide<Real>>;
-        const Vec a(vertices[0]), b(vertices[1]), c(vertices[2]);
-        triangles.push_back({narrow<Real>(vertices[0], name), narrow<Real>(vertices[1], name),
-                             narrow<Real>(vertices[2], name), Vec3<Real>(unit(cross(unit(b - a), unit(c - a)))),
-                             material});
+        const auto N = unit(cross(unit(Vec(b) - Vec(a)), unit(Vec(c) - Vec(a))));
+        const auto most = [](const Vec& v) { return largestChannel(abs(v)); };
+        const auto size = std::max(most(Vec(b) - Vec(a)), most(Vec(c) - Vec(a))), far = std::max(most(Vec(a)), size);
+        if (N != Vec(0) && !(isOrdinary(size * size * size) && isOrdinary(far * far * far)))
+            throw std::range_error(name + ": the third power of " + shortestDigits(double(far > 1 ? far : size)) +
+                                   " does not fit the tracer's scalar type");
+        triangles.push_back({a, b, c, Vec3<Real>(N), material});
     };
     for (const auto& t : description.triangles)
         addTriangle(t.vertices, t.material, "triangle" + std::to_string(triangles.size()) + ".vertices");
@@ -232,7 +244,7 @@ Scene<Real>::Scene(const SceneDescription& description)
     for (const auto& l : description.lights)
     {
         const std::string name = "light" + std::to_string(lights.size());
-        lights.push_back({narrow<Real>(l.position, name + ".position"), narrow<Real>(l.color, name + ".color")});
+        lights.push_back({narrow<Real>(l.position, name + ".position"), narrowColor<Real>(l.color, name + ".color")});
     }
     // 64 is more than a highlight adds, even one of the largest exponent.
     for (const auto& light : lights)
@@ -286,12 +298,38 @@ void Scene<Real>::visitTriangles(const Vec3<Real>& O, const Vec3<Real>& D, Primi
                                  Found& found) const
 {
     const Ray<Real> ray{.O = O, .D = D, .from = from};
-    const bool leavesTriangle = from >= firstTriangle;
-    triangleSearch.template visit<set>(triangles, ray, limit, [&](PrimitiveId index, Real t) {
-        if (firstTriangle + index == from) return false;
-        if (leavesTriangle && startsOn(ray, triangles[std::size_t(index)])) return false;
-        return bool(found(firstTriangle + index, t));
-    });
+    const auto withId = [&](PrimitiveId index, Real t) { return bool(found(firstTriangle + index, t)); };
+    if (from < firstTriangle)
+    {
+        triangleSearch.template visit<set>(
+            triangles, ray, limit,
+            [&](PrimitiveId index) { return Shapes<Real>::intersectTriangle(ray, triangles[std::size_t(index)]); },
+            withId);
+        return;
+    }
+    const LeaveTriangle<Real> left(ray, triangles[std::size_t(from - firstTriangle)]);
+    if (left.startsWithin())
+        triangleSearch.template visit<set>(
+            triangles, ray, limit, [&](PrimitiveId index) { return left.meet(triangles[std::size_t(index)]); }, withId);
+    else
+        visitFromRim<set>(ray, left, limit, withId);
+}
+
+/// For float, and for the few rays of other types whose rounded origin is not on their triangle.
+template <std::floating_point Real>
+template <Instructions set, class Found>
+void Scene<Real>::visitFromRim(const Ray<Real>& ray, const LeaveTriangle<Real>& left, const Real& limit,
+                               Found& found) const
+{
+    const auto inside = left.fromWithin();
+    triangleSearch.template visit<set>(
+        triangles, ray, limit,
+        [&](PrimitiveId index) -> std::optional<Real> {
+            const auto t = inside.meet(left.widened(triangles[std::size_t(index)]));
+            if (!t) return std::nullopt;
+            return std::max(Real(*t), std::numeric_limits<Real>::denorm_min());
+        },
+        found);
 }
 
 template <std::floating_point Real>

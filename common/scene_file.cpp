@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <unordered_map>
 
+#include "common/glass_check.h"
 #include "common/obj_file.h"
 #include "common/scene_reader.h"
 
@@ -104,6 +105,11 @@ auto readNamedFile(const Reading& reading, const SceneTable& table, std::string_
                    Read&& read)
 {
     if (name.empty()) table.wrong(key, table.place(key), "the name of a file", "''");
+    if (const auto odd = std::ranges::find_if(name, [](unsigned char c) { return c < 0x20; }); odd != name.end())
+        table.fail(table.place(key),
+                   fmt::format("{} in {}: within \"\" a backslash begins an escape, and {} came of it, "
+                               "expected / between folders, or the name within ''",
+                               inQuotes(key), table.title, inQuotes(std::string(1, *odd))));
     try
     {
         return read((std::filesystem::path(reading.file).parent_path() / name).string());
@@ -114,18 +120,53 @@ auto readNamedFile(const Reading& reading, const SceneTable& table, std::string_
     }
 }
 
-std::shared_ptr<const Image> readPicture(const std::string& path)
+/// Lossy pictures have values a little below 0, which become 0; what is lower is refused.
+void liftToZero(Image& image, const std::string& path, std::vector<std::string>& warnings)
+{
+    double most = 0;
+    for (const auto& c : image.pixels)
+        if (isFinite(c)) most = std::max(most, largestChannel(c));
+    const double lowest = -most / 1024; // as many digits as half has
+    int lifted = 0, firstX = 0, firstY = 0;
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x)
+        {
+            auto& c = image.at(x, y);
+            const double least = std::min({c.x, c.y, c.z});
+            if (!isFinite(c) || least < lowest)
+                throw SceneError(fmt::format("{}: pixel ({}, {}) is not a finite number of at least 0", path, x, y));
+            if (least >= 0) continue;
+            c = max(c, Vec3<double>(0));
+            if (++lifted > 1) continue;
+            firstX = x;
+            firstY = y;
+        }
+    if (lifted > 0)
+        warnings.push_back(fmt::format("{}: {} a little below 0 and taken as 0, the first of them ({}, {})", path,
+                                       lifted == 1 ? "1 pixel is" : fmt::format("{} pixels are", lifted), firstX,
+                                       firstY));
+}
+
+void checkShape(const Image& image, const std::string& path, SkyMapping mapping, std::vector<std::string>& warnings)
+{
+    const bool isSquare = image.width == image.height;
+    if (mapping == SkyMapping::latlong && std::abs(image.width - 2 * image.height) > 1)
+        warnings.push_back(fmt::format("{} is {}x{}; a lat-long picture is twice as wide as high{}", path, image.width,
+                                       image.height,
+                                       isSquare ? "; is it an angular probe, mapping = \"angular\"?" : ""));
+    if (mapping == SkyMapping::angular && !isSquare)
+        warnings.push_back(fmt::format("{} is {}x{}; an angular probe is square{}", path, image.width, image.height,
+                                       image.width == 2 * image.height ? "; is it lat-long?" : ""));
+}
+
+std::shared_ptr<const Image> readPicture(const std::string& path, SkyMapping mapping,
+                                         std::vector<std::string>& warnings)
 {
     checkFile(path, pictureKind);
-    auto image = std::make_shared<const Image>(readImage(path));
-    for (int y = 0; y < image->height; ++y)
-        for (int x = 0; x < image->width; ++x)
-        {
-            const auto& c = image->at(x, y);
-            if (!isFinite(c) || std::min({c.x, c.y, c.z}) < 0)
-                throw SceneError(fmt::format("{}: pixel ({}, {}) is not a finite number of at least 0", path, x, y));
-        }
-    return image;
+    auto image = readImage(path);
+    liftToZero(image, path, warnings);
+    checkShape(image, path, mapping, warnings);
+    return std::make_shared<const Image>(std::move(image));
 }
 
 Sun readSun(const Reading& reading, const toml::table& source)
@@ -168,7 +209,11 @@ void readSky(const Reading& reading, const toml::table& source)
         table.refuseWithout(one, other, fmt::format("expected {} as well", inQuotes(other)));
 
     if (sun) sky.sun = readSun(reading, *sun);
-    if (table.has("image")) sky.image = readNamedFile(reading, table, "image", sky.imageFile, readPicture);
+    if (!table.has("image")) return;
+    std::vector<std::string> warnings;
+    sky.image = readNamedFile(reading, table, "image", sky.imageFile,
+                              [&](const auto& path) { return readPicture(path, sky.mapping, warnings); });
+    for (const auto& warning : warnings) reading.scene.warnings.push_back(table.message(table.place("image"), warning));
 }
 
 void readMaterial(const Reading& reading, const std::string& name, const toml::table& source)
@@ -286,6 +331,9 @@ void readMesh(const Reading& reading, const toml::table& source)
     std::vector<std::string> warnings;
     mesh.triangles = std::make_shared<const std::vector<MeshTriangle>>(
         readNamedFile(reading, table, "file", mesh.file, [&](const auto& path) { return readObj(path, warnings); }));
+    if (reading.scene.materials[std::size_t(mesh.material)].isDielectric())
+        if (const auto fault = glassMeshFault(*mesh.triangles); !fault.empty())
+            warnings.push_back(fmt::format("{}: {}", onOneLine(mesh.file), fault));
     for (const auto& warning : warnings) reading.scene.warnings.push_back(table.message(table.place("file"), warning));
     reading.scene.meshes.push_back(mesh);
 }
@@ -329,6 +377,8 @@ SceneDescription readScene(const toml::table& source, const std::string& file)
     for (const auto* triangle : triangles) readTriangle(reading, *triangle);
     for (const auto* mesh : meshes) readMesh(reading, *mesh);
     for (const auto* light : lights) readLight(reading, *light);
+    if (const auto fault = nestedGlassFault(scene); !fault.empty())
+        scene.warnings.push_back(fmt::format("{}: {}", file, fault));
     return scene;
 }
 

@@ -103,30 +103,54 @@ struct Shapes
     /// shared edge never slips between its two triangles.
     static std::optional<Real> intersectTriangle(const Ray& ray, const Triangle& triangle)
     {
-        const vec3 size = abs(ray.D);
-        const int z = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
-        int x = (z + 1) % 3, y = (x + 1) % 3;
-        if (ray.D[z] < 0) std::swap(x, y);
-        const Real shearX = ray.D[x] / ray.D[z], shearY = ray.D[y] / ray.D[z], shearZ = 1 / ray.D[z];
-
-        const vec3 A = triangle.a - ray.O, B = triangle.b - ray.O, C = triangle.c - ray.O;
-        const Real ax = A[x] - shearX * A[z], ay = A[y] - shearY * A[z];
-        const Real bx = B[x] - shearX * B[z], by = B[y] - shearY * B[z];
-        const Real cx = C[x] - shearX * C[z], cy = C[y] - shearY * C[z];
-
-        // float decides edges in double, as the paper asks; there the products are exact.
-        const auto edge = [](Real px, Real py, Real qx, Real qy) {
-            using Wide = decltype(Real() + double());
-            return Wide(px) * Wide(qy) - Wide(py) * Wide(qx);
-        };
-        const auto u = edge(cx, cy, bx, by), v = edge(ax, ay, cx, cy), w = edge(bx, by, ax, ay);
-        if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) return std::nullopt;
-        const auto determinant = u + v + w;
-        if (determinant == 0) return std::nullopt;
-        const Real t = Real((u * (shearZ * A[z]) + v * (shearZ * B[z]) + w * (shearZ * C[z])) / determinant);
+        const Crossing line(ray, triangle);
+        if (!line.isInside()) return std::nullopt;
+        const Real t = line.distance();
         if (t > 0 && t < infinity<Real> && isNear(ray.O + t * ray.D, ray.O, triangle)) return t;
         return std::nullopt;
     }
+
+    /// Where the line of a ray, before its origin too, crosses the plane of a triangle.
+    struct Crossing
+    {
+        using Wide = rt::Wide<Real>;
+        Wide u, v, w; ///< on which side of the edges bc, ca and ab; within the triangle none differs
+        Real az, bz, cz, shearZ;
+
+        Crossing(const Ray& ray, const Triangle& triangle)
+        {
+            const vec3 size = abs(ray.D);
+            const int z = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
+            int x = (z + 1) % 3, y = (x + 1) % 3;
+            if (ray.D[z] < 0) std::swap(x, y);
+            const Real shearX = ray.D[x] / ray.D[z], shearY = ray.D[y] / ray.D[z];
+            shearZ = 1 / ray.D[z];
+
+            const vec3 A = triangle.a - ray.O, B = triangle.b - ray.O, C = triangle.c - ray.O;
+            const Real ax = A[x] - shearX * A[z], ay = A[y] - shearY * A[z];
+            const Real bx = B[x] - shearX * B[z], by = B[y] - shearY * B[z];
+            const Real cx = C[x] - shearX * C[z], cy = C[y] - shearY * C[z];
+
+            // float decides edges in double, as the paper asks; there the products are exact.
+            const auto edge = [](Real px, Real py, Real qx, Real qy) {
+                return Wide(px) * Wide(qy) - Wide(py) * Wide(qx);
+            };
+            u = edge(cx, cy, bx, by);
+            v = edge(ax, ay, cx, cy);
+            w = edge(bx, by, ax, ay);
+            az = A[z];
+            bz = B[z];
+            cz = C[z];
+        }
+
+        bool isInside() const { return !((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) && u + v + w != 0; }
+
+        /// Along the ray; negative behind its origin.
+        Real distance() const
+        {
+            return Real((u * (shearZ * az) + v * (shearZ * bz) + w * (shearZ * cz)) / (u + v + w));
+        }
+    };
 
     /// How far a triangle's hit point may be from its box, as a share of the sum of the coordinates that it comes from. In
     /// float edges are exact and only coordinates are rounded; else a ray that all but lies in the plane gets inexact ones.

@@ -44,13 +44,13 @@ class Sky
 {
 public:
     explicit Sky(const SkyDescription& sky)
-        : horizon(narrow<Real>(sky.color, "sky.color")),
-          zenith(narrow<Real>(sky.zenith.value_or(sky.color), "sky.zenith")), gradient(sky.zenith.has_value()),
+        : horizon(narrowColor<Real>(sky.color, "sky.color")),
+          zenith(narrowColor<Real>(sky.zenith.value_or(sky.color), "sky.zenith")), gradient(sky.zenith.has_value()),
           mapping(sky.mapping), image(sky.image)
     {
         if (!sky.sun) return;
         sun = unit(Vec3<Real>(unit(Vec3<Wide<Real>>(sky.sun->direction))));
-        sunColor = narrow<Real>(sky.sun->color, "sky.sun.color");
+        sunColor = narrowColor<Real>(sky.sun->color, "sky.sun.color");
         sunChord = 2 * portable::sin(Real(sky.sun->size) / 4 * SkyFormulas<Real>::PI / 180);
     }
 

@@ -25,14 +25,14 @@ public:
         tree = Bvh<Number>(boxes, 4 * Shapes<Real>::triangleError);
     }
 
-    /// Calls found(index, t) for each of these triangles, those that the constructor saw, that the ray meets at t <= limit,
-    /// until it returns true. It may lower `limit`; triangles that are farther may be called for all the same.
-    template <Instructions set, class Found>
-    bool visit(const std::vector<Triangle<Real>>& triangles, const Ray<Real>& ray, const Real& limit,
+    /// Calls found(index, t) for each of these triangles, those that the constructor saw, for which meet(index) is a distance
+    /// t <= limit, until it returns true. It may lower `limit`; triangles that are farther may be called for all the same.
+    template <Instructions set, class Meet, class Found>
+    bool visit(const std::vector<Triangle<Real>>& triangles, const Ray<Real>& ray, const Real& limit, Meet&& meet,
                Found&& found) const
     {
         const auto test = [&](std::int32_t index) {
-            const auto t = Shapes<Real>::intersectTriangle(ray, triangles[std::size_t(index)]);
+            const std::optional<Real> t = meet(index);
             return t && *t <= limit && found(index, *t);
         };
         if (tree.empty() || !isUnit(ray.D))

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <concepts>
 #include <limits>
@@ -67,22 +68,38 @@ bool isFinite(const Vec3<Real>& v)
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
+/// The shortest digits that read back to x.
+inline std::string shortestDigits(double x)
+{
+    char digits[32];
+    return {digits, std::to_chars(digits, digits + sizeof digits, x).ptr};
+}
+
 /// `value` in Real; throws std::range_error, naming `what`, if it overflows, or vanishes though it was not zero.
 template <std::floating_point Real>
 Real narrow(double value, const std::string& what)
 {
     const Real narrowed = Real(value);
     if (!std::isfinite(narrowed) || (narrowed == 0 && value != 0))
-        throw std::range_error(what + " = " + std::to_string(value) + " does not fit the tracer's scalar type");
+        throw std::range_error(what + " = " + shortestDigits(value) + " does not fit the tracer's scalar type");
     return narrowed;
 }
 
+/// Of a point or direction each number may vanish beside the others.
 template <std::floating_point Real>
 Vec3<Real> narrow(const Vec3<double>& v, const std::string& what)
 {
     const Vec3<Real> narrowed(v);
-    if (!isFinite(narrowed)) throw std::range_error(what + " does not fit the tracer's scalar type");
+    for (int axis = 0; axis < 3; ++axis)
+        if (!std::isfinite(narrowed[axis])) narrow<Real>(v[axis], what);
     return narrowed;
+}
+
+/// Of a colour no channel may vanish.
+template <std::floating_point Real>
+Vec3<Real> narrowColor(const Vec3<double>& color, const std::string& what)
+{
+    return {narrow<Real>(color.x, what), narrow<Real>(color.y, what), narrow<Real>(color.z, what)};
 }
 
 } // namespace rt

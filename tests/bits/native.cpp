@@ -47,7 +47,8 @@ bits::Traced trace(const bits::Shipped& shipped, int number, Precision precision
 int run(int argc, char** argv)
 {
     CommandLine app(
-        "Prints a line of hashes for each shipped scene, lesson and type: of its picture's and its ray tree's bits");
+        "Prints a line of hashes for each shipped scene, lesson and type: of its picture's and its ray tree's bits",
+        "bits_native");
     std::string scenesFile, tree;
     std::vector<std::string> words;
     app.option("--scenes", scenesFile, "write the scenes as data that the program for other machines reads");

@@ -40,17 +40,24 @@ struct Scan
         const auto firstTriangle = PrimitiveId(scene.spheres.size() + scene.planes.size());
         for (const auto& triangle : scene.triangles)
         {
-            if (id != ray.from && !(ray.from >= firstTriangle && startsOn(ray, triangle)))
-                if (const auto t = Shapes<Real>::intersectTriangle(ray, triangle)) visit(id, *t);
+            if (id != ray.from)
+            {
+                const auto t =
+                    ray.from < firstTriangle
+                        ? Shapes<Real>::intersectTriangle(ray, triangle)
+                        : leaveTriangle(ray, scene.triangles[std::size_t(ray.from - firstTriangle)], triangle);
+                if (t) visit(id, *t);
+            }
             ++id;
         }
     }
 
-    static bool startsOn(const Ray<Real>& ray, const Triangle<Real>& triangle)
+    static std::optional<Real> leaveTriangle(const Ray<Real>& ray, const Triangle<Real>& from, const Triangle<Real>& to)
     {
-        const Vec3<Real> a = abs(triangle.a), o = abs(ray.O);
-        const Real bound = 16 * std::numeric_limits<Real>::epsilon() * (a.x + a.y + a.z + o.x + o.y + o.z);
-        return std::abs(dot(ray.O - triangle.a, triangle.N)) <= bound;
+        const LeaveTriangle<Real> left(ray, from);
+        if (left.startsWithin()) return left.meet(to);
+        const auto t = left.fromWithin().meet(left.widened(to));
+        return t ? std::optional(std::max(Real(*t), std::numeric_limits<Real>::denorm_min())) : std::nullopt;
     }
 
     std::pair<PrimitiveId, Real> nearest(const Ray<Real>& ray) const
@@ -255,6 +262,11 @@ TYPED_TEST(Search, LivesAtTheEndsOfItsType)
         for (auto& sphere : world.scene.spheres) sphere.center *= k, sphere.radius *= k;
         for (auto& triangle : world.scene.triangles)
             for (auto& vertex : triangle.vertices) vertex *= k;
+        if (std::is_same_v<Real, double>) // squares and cubes have no range to spare there
+        {
+            EXPECT_THROW(Scene<Real>{world.scene}, std::range_error);
+            continue;
+        }
         Scene<Real> scene(world.scene);
         Tally tally;
         for (int i = 0; i < 2000; ++i)

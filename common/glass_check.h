@@ -1,0 +1,19 @@
+// Does a scene's glass say what lies on its two sides? What contradicts is traced all the same, and told in a warning.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/obj_file.h"
+#include "common/scene_description.h"
+
+namespace rt
+{
+
+/// What is wrong with a glass mesh: open, of mixed sense, or wound inwards; "" if nothing is.
+std::string glassMeshFault(const std::vector<MeshTriangle>& triangles);
+
+/// One glass ball within another whose `ior` is not what it says of its outside; "" if there is none, or very many balls.
+std::string nestedGlassFault(const SceneDescription& scene);
+
+} // namespace rt
