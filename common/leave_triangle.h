@@ -44,6 +44,8 @@ public:
         return inside;
     }
 
+    const Vec3<Real>& origin() const { return ray.O; }
+
     static Ray<Wide<Real>> widened(const Ray<Real>& ray)
     {
         return {.O = Vec3<Wide<Real>>(ray.O), .D = Vec3<Wide<Real>>(ray.D)};

@@ -321,9 +321,12 @@ template <Instructions set, class Found>
 void Scene<Real>::visitFromRim(const Ray<Real>& ray, const LeaveTriangle<Real>& left, const Real& limit,
                                Found& found) const
 {
+    // Boxes are asked from where the triangles are, or one that is near might lie before the ray.
     const auto inside = left.fromWithin();
+    Ray<Real> moved = ray;
+    moved.O = Vec3<Real>(inside.origin());
     triangleSearch.template visit<set>(
-        triangles, ray, limit,
+        triangles, moved, limit,
         [&](PrimitiveId index) -> std::optional<Real> {
             const auto t = inside.meet(left.widened(triangles[std::size_t(index)]));
             if (!t) return std::nullopt;
