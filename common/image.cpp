@@ -156,7 +156,9 @@ std::string readTextFile(const std::string& path)
 {
     std::ifstream in(path, std::ios::binary);
     std::ostringstream text;
-    if (!in || !(text << in.rdbuf())) throw std::runtime_error(fmt::format("{}: cannot be read", path));
+    // An empty file is a text too, though << fails where there is nothing to pass on.
+    const bool isEmpty = in && in.peek() == std::ifstream::traits_type::eof() && !in.bad();
+    if (!isEmpty && (!in || !(text << in.rdbuf()))) throw std::runtime_error(fmt::format("{}: cannot be read", path));
     return text.str();
 }
 

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <cstring>
 #include <set>
 #include <stdexcept>
 
@@ -407,15 +409,46 @@ std::string syntaxError(const std::string& text, const Parsed::parse_error& erro
     return where + (excerpt.empty() ? ": unexpected byte" : ": unexpected " + excerpt);
 }
 
+bool isWordOfCode(char c)
+{
+    return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+}
+
+/// JSON has no word for a number that is not finite. Python, JavaScript and printf write one all the same, just where a tree is
+/// worth looking at: it becomes null, which is what we write.
+std::string withNullForNotFinite(const std::string& text)
+{
+    std::string out;
+    std::size_t copied = 0;
+    bool inString = false;
+    for (std::size_t i = 0; i < text.size(); ++i)
+    {
+        if (text[i] == '"') inString = !inString;
+        if (inString && text[i] == '\\') ++i; // and what is escaped
+        if (inString || !std::strchr("NnIi-", text[i]) || (i > 0 && isWordOfCode(text[i - 1]))) continue;
+        for (const std::string_view word : {"NaN", "-NaN", "nan", "-nan", "Infinity", "-Infinity", "inf", "-inf"})
+            if (const auto end = i + word.size();
+                text.compare(i, word.size(), word) == 0 && (end == text.size() || !isWordOfCode(text[end])))
+            {
+                out.append(text, copied, i - copied).append("null");
+                copied = end;
+                i = end - 1;
+                break;
+            }
+    }
+    return copied == 0 ? text : out.append(text, copied);
+}
+
 } // namespace
 
-RayTree rayTreeFromJson(const std::string& text)
+RayTree rayTreeFromJson(const std::string& source)
 {
-    if (text.size() > largestJson)
-        throw std::runtime_error(fmt::format("{} bytes of JSON, at most {} are read", text.size(), largestJson));
+    if (source.size() > largestJson)
+        throw std::runtime_error(fmt::format("{} bytes of JSON, at most {} are read", source.size(), largestJson));
     // The parser takes a zero byte for the end and would not look at what follows.
-    if (const auto zero = text.find('\0'); zero != std::string::npos)
+    if (const auto zero = source.find('\0'); zero != std::string::npos)
         throw std::runtime_error(fmt::format("not JSON: byte {} is zero", zero));
+    const std::string text = withNullForNotFinite(source);
     TreeBuilder builder;
     try
     {

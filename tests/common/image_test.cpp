@@ -141,6 +141,15 @@ TEST(Compare, RefusesNanAndAnotherSize)
     EXPECT_FALSE(compare(Image(4, 3), gradient(), 1e9, 0).equal());
 }
 
+TEST_F(ImageFile, OfTextMayBeEmptyButNoFolder)
+{
+    const auto file = (folder / "empty.json").string();
+    writeTextFile(file, "");
+    EXPECT_EQ(readTextFile(file), "");
+    EXPECT_THROW(readTextFile(folder.string()), std::runtime_error);
+    EXPECT_THROW(readTextFile(file + ".none"), std::runtime_error);
+}
+
 } // namespace
 
 } // namespace rt

@@ -221,7 +221,7 @@ TEST(RayTreeJson, NamesThePlaceOfWhatIsWrong)
         {"\"id\": 1", "\"id\": null", "nodes[1].id: expected a whole number"},
         {"\"depth\": 1", "\"depth\": 1048577", "nodes[1].depth: expected a whole number from 0 to 1048576"},
         {"\"weight\": 1.0", "\"weight\": \"1\"", "nodes[0].weight: expected a number, or null"},
-        {"\"weight\": 1.0", "\"weight\": NaN", "not JSON: line 40, column 14: unexpected NaN"},
+        {"\"weight\": 1.0", "\"weight\": Nan", "not JSON: line 40, column 14: unexpected Nan"},
         {"\"weight\": 1.0", "\"weight\": 1e999", "nodes[0]: a number is larger than a double can be"},
         {"\"origin\": [0.0, 0.0, 0.0],\n   \"d", "\"origin\": [0.0, 0.0],\n   \"d",
          "nodes[0].origin: expected an array of 3 numbers"},
@@ -356,12 +356,25 @@ TEST(RayTreeJson, KeepsATreeWithNumbersThatAreNotFinite)
     EXPECT_TRUE(std::isnan(back.shadows[0].distance));
     EXPECT_TRUE(std::isnan(back.capped[0].radiance.x));
     EXPECT_EQ(back.capped[0].radiance.y, 1);
+
+    // As Python, JavaScript and printf write them; in strings they stay what they are.
+    tree.scene = "NaN, -inf and \\\"nan";
+    const auto expected = toJson(tree);
+    for (const std::string word : {"NaN", "-NaN", "nan", "-nan", "Infinity", "-Infinity", "inf", "-inf"})
+    {
+        auto other = expected;
+        for (std::size_t at = 0; (at = other.find("null", at)) != std::string::npos; at += word.size())
+            other.replace(at, 4, word);
+        EXPECT_EQ(toJson(rayTreeFromJson(other)), expected) << word;
+    }
+    EXPECT_THROW(rayTreeFromJson("{\"version\": Nan}"), std::runtime_error);
+    EXPECT_THROW(rayTreeFromJson("{\"version\": infinite}"), std::runtime_error);
 }
 
 TEST(RayTreeJson, KeepsAnyName)
 {
     auto tree = lessons()[1]->inspect(oneMirror(), Precision::doubled, GivenRay{{0, 0, 0}, {0, 0, -1}});
-    for (const std::string name : {"", "\"", "\\", "a\\\"[1,2  3]\n{}", "[", "glÄs \t\x01", ", "})
+    for (const std::string name : {"", "NaN", "-inf", "\"", "\\", "a\\\"[1,2  3]\n{}", "[", "glÄs \t\x01", ", "})
     {
         tree.scene = tree.source = tree.real = name;
         tree.nodes[0].hit->primitive = tree.nodes[0].hit->material = name;

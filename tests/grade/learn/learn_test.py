@@ -254,6 +254,19 @@ class Watching(Learning):
         self.file.write_text(solved(2))
         self.assertIn("right: all", terminal.until(READY))
 
+    def test_waits_while_an_editor_has_truncated_the_file_or_put_a_folder_there(self):
+        self.file.write_text(shipped(2))
+        terminal = Terminal(self, "2", "--exercise", "02-reflect")
+        terminal.until(READY)
+        self.file.write_text("")
+        terminal.until(READY)
+        self.file.unlink()
+        self.file.mkdir()
+        time.sleep(1)
+        self.file.rmdir()
+        self.file.write_text(solved(2))
+        self.assertIn("right: all", terminal.until(READY))
+
     def test_ctrl_c_leaves_the_terminal_as_it_was(self):
         self.file.write_text(shipped(2))
         for end, code in ((lambda t: t.type("\x03"), 130), (lambda t: os.kill(t.pid, signal.SIGTERM), 130),

@@ -123,6 +123,21 @@ struct Watch
     }
 };
 
+/// An editor may be in the middle of a save: a file that cannot be read now is looked at again at its next change.
+template <class Work>
+bool patiently(const Work& work)
+{
+    try
+    {
+        return work();
+    }
+    catch (const std::runtime_error& error)
+    {
+        say(fmt::format("{}; waiting for it to be saved\n", error.what()));
+        return true;
+    }
+}
+
 } // namespace
 
 int watch(Session& session)
@@ -130,16 +145,16 @@ int watch(Session& session)
     watchInterrupt({.words = [] { return std::string(); }});
     Keys keys;
     Watch watch{session, {showsColor(), showsPictures()}, {}, {}};
-    watch.runAgain();
+    patiently([&] { return watch.runAgain(), true; });
     while (!interrupted())
     {
-        if (const auto key = keys.read(pause); key && !watch.key(*key))
+        if (const auto key = keys.read(pause); key && !patiently([&] { return watch.key(*key); }))
         {
             saveProgress(session.stateFile, session.progress);
             return exitDone;
         }
         const auto now = stampOf(session.fileOf(watch.current().lesson));
-        if (now && now != watch.stamp && !interrupted()) watch.saved();
+        if (now && now != watch.stamp && !interrupted()) patiently([&] { return watch.saved(), true; });
     }
     say("\n");
     return exitInterrupted;
