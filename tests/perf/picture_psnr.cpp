@@ -30,7 +30,8 @@ rt::Image linearImage(const std::string& path)
 
 int run(int argc, char** argv)
 {
-    CommandLine app("PSNR of a linear picture against a reference, peak 1, both clamped to [0, 1].", "picture_psnr");
+    rt::CommandLine app("PSNR of a linear picture against a reference, peak 1, both clamped to [0, 1].",
+                        "picture_psnr");
     std::string picture, reference;
     app.option("picture", picture, "linear: .exr, or .png of 16 bits").required().type("FILE");
     app.option("reference", reference, "the same").required().type("FILE");

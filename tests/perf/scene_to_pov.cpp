@@ -11,7 +11,7 @@ namespace
 
 int run(int argc, char** argv)
 {
-    CommandLine app("Writes a scene in the language of POV-Ray 3.7.", "scene_to_pov");
+    rt::CommandLine app("Writes a scene in the language of POV-Ray 3.7.", "scene_to_pov");
     rt::perf::SceneOptions options;
     std::string out;
     addSceneOptions(app, options);
