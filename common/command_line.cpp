@@ -154,7 +154,8 @@ Option CommandLine::option(const std::string& name, std::vector<std::string>& va
 {
     auto* option = app_->add_option(
         name, [&values](const CLI::results_t& words) { return values = words, true; }, help);
-    return Option(option->type_name("TEXT")->expected(1, CLI::detail::expected_max_vector_size));
+    option->type_name("TEXT")->expected(1, CLI::detail::expected_max_vector_size)->allow_extra_args();
+    return Option(option);
 }
 
 Option CommandLine::flag(const std::string& name, bool& value, const std::string& help)
