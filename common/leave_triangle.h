@@ -2,6 +2,8 @@
 // before or behind those that touch it. Where it lies is known all the same: on that triangle. So what can be told from the
 // triangles alone, from common corners and from who lies on which side of whose plane, is not asked of the origin; and no
 // distance is too small.
+//
+// Kept out of line: copies of it in each search took longer to compile than all the rest of a student's program.
 #pragma once
 
 #include <array>
@@ -21,7 +23,7 @@ public:
     }
 
     /// Will the rounded origin do? If it still lies within the triangle, seen along the ray; never in float.
-    bool startsWithin() const
+    [[gnu::noinline]] bool startsWithin() const
     {
         if constexpr (!std::is_same_v<Real, Wide<Real>>) return false;
         const Crossing line(ray, left);
@@ -29,7 +31,7 @@ public:
     }
 
     /// The same in more digits, if there are more: the origin is moved into the triangle, by no more than it was rounded.
-    LeaveTriangle<Wide<Real>> fromWithin() const
+    [[gnu::noinline]] LeaveTriangle<Wide<Real>> fromWithin() const
     {
         using Number = Wide<Real>;
         auto wide = widened(left);
@@ -58,7 +60,7 @@ public:
     }
 
     /// The distance t > 0 to the other triangle, or nothing: the smallest number for one that the ray meets where it starts.
-    std::optional<Real> meet(const Triangle<Real>& other) const
+    [[gnu::noinline]] std::optional<Real> meet(const Triangle<Real>& other) const
     {
         Crossing line(ray, other);
         if (!line.isInside())
