@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
-#include <numeric>
 
+#include "common/polygon.h"
 #include "common/scene_text.h"
 
 namespace rt
@@ -36,66 +36,6 @@ std::string quoted(std::string_view word)
         else
             ascii += fmt::format("\\x{:02x}", byte);
     return inQuotes(ascii);
-}
-
-using Corner2 = std::array<double, 2>;
-
-/// Twice the area of a, b, c; positive if they turn to the left.
-double turn(const Corner2& a, const Corner2& b, const Corner2& c)
-{
-    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-}
-
-/// The polygon as seen from its front, its largest side about 1.
-std::vector<Corner2> flattened(const std::vector<Vec3<double>>& corners)
-{
-    Vec3<double> normal(0), size(0);
-    for (const auto& corner : corners) size = max(size, abs(corner - corners[0]));
-    const double scale = largestChannel(size);
-    const auto at = [&](std::size_t i) { return (corners[i % corners.size()] - corners[0]) / scale; };
-    for (std::size_t i = 0; i < corners.size(); ++i) normal += cross(at(i), at(i + 1));
-    const auto n = abs(normal);
-    const int z = n.x > n.y ? (n.x > n.z ? 0 : 2) : (n.y > n.z ? 1 : 2);
-    int x = (z + 1) % 3, y = (z + 2) % 3;
-    if (normal[z] < 0) std::swap(x, y);
-    std::vector<Corner2> flat;
-    for (std::size_t i = 0; i < corners.size(); ++i) flat.push_back({at(i)[x], at(i)[y]});
-    return flat;
-}
-
-/// Cuts ears off a polygon that is not convex: triangles of corners that follow each other and have no other one within.
-/// Calls add(i, j, k) for each; false if there is no ear, as where the polygon crosses itself.
-template <class Add>
-bool cutEars(const std::vector<Corner2>& flat, Add&& add)
-{
-    std::vector<std::size_t> left(flat.size());
-    std::iota(left.begin(), left.end(), std::size_t(0));
-    const auto isEar = [&](std::size_t i, std::size_t j, std::size_t k) {
-        const auto &a = flat[i], &b = flat[j], &c = flat[k];
-        if (!(turn(a, b, c) > 0)) return false;
-        return std::ranges::none_of(left, [&](std::size_t other) {
-            const auto& p = flat[other];
-            return p != a && p != b && p != c && turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
-        });
-    };
-    for (std::size_t at = 0, tried = 0; left.size() > 3;)
-    {
-        const auto n = left.size();
-        const std::size_t i = left[(at + n - 1) % n], j = left[at % n], k = left[(at + 1) % n];
-        const bool isFlat = turn(flat[i], flat[j], flat[k]) == 0;
-        if (!isFlat && !isEar(i, j, k))
-        {
-            if (++tried > n) return false;
-            ++at;
-            continue;
-        }
-        add(i, j, k);
-        left.erase(left.begin() + std::ptrdiff_t(at % n));
-        at = at % n;
-        tried = 0;
-    }
-    add(left[0], left[1], left[2]);
-    return turn(flat[left[0]], flat[left[1]], flat[left[2]]) >= 0;
 }
 
 class ObjReader
@@ -236,8 +176,8 @@ private:
         ++faces;
         if (corners.size() < 3)
             noteFlat();
-        else if (corners.size() > 3 && !isConvex())
-            cutConcave();
+        else if (corners.size() > 3)
+            addPolygon();
         else
             addFan();
     }
@@ -247,24 +187,14 @@ private:
         for (std::size_t i = 2; i < corners.size(); ++i) add({corners[0], corners[i - 1], corners[i]});
     }
 
-    /// Does it turn one way only? Then a fan fills it.
-    bool isConvex()
+    void addPolygon()
     {
-        flatCorners = flattened(corners);
-        const auto n = flatCorners.size();
-        for (std::size_t i = 0; i < n; ++i)
-            if (turn(flatCorners[i], flatCorners[(i + 1) % n], flatCorners[(i + 2) % n]) < -roundingOfTurns)
-                return false;
-        return true;
-    }
-
-    void cutConcave()
-    {
+        const auto polygon = flattened(corners);
+        if (isConvex(polygon)) return addFan();
         constexpr std::size_t most = 1000; // it takes time that grows with the square
         if (corners.size() > most)
             fail("a face of {} corners that is not convex, expected at most {}", corners.size(), most);
-        std::vector<std::array<std::size_t, 3>> ears;
-        if (cutEars(flatCorners, [&](auto i, auto j, auto k) { ears.push_back({i, j, k}); }))
+        if (const auto ears = earsOf(polygon); !ears.empty())
         {
             for (const auto& [i, j, k] : ears) add({corners[i], corners[j], corners[k]});
             return;
@@ -309,7 +239,6 @@ private:
     }
 
     static constexpr const char* blanks = " \t\r\v\f";
-    static constexpr double roundingOfTurns = 64 * std::numeric_limits<double>::epsilon(); ///< of a polygon of size 1
 
     const std::string& file;
     std::string_view text; ///< what is still to be read
@@ -323,8 +252,7 @@ private:
     std::size_t flat = 0, firstFlat = 0;       ///< triangles without area, and the line of the first
     std::size_t crossed = 0, firstCrossed = 0; ///< the same of polygons that cross themselves
     std::vector<Vec3<double>> corners;         ///< of the current face
-    std::vector<Corner2> flatCorners;
-    char lineEnd = '\n'; ///< a file without it has lines that end in CR only
+    char lineEnd = '\n';                       ///< a file without it has lines that end in CR only
 };
 
 } // namespace
