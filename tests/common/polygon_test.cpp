@@ -80,10 +80,15 @@ TEST(Polygon, IsFilledByAFanIfItTurnsOneWayAndGoesRoundOnce)
 
 TEST(Polygon, IsSeenFromItsFront)
 {
-    const auto flat = flattened({{7, 0, 0}, {7, 0, -4}, {7, 4, -4}, {7, 4, 0}}); // seen from +x
-    EXPECT_TRUE(isConvex(flat));
-    EXPECT_GT(turn(flat[0], flat[1], flat[2]), 0);
-    EXPECT_EQ(flat[2][0] * flat[2][0], 1) << "its largest side is 1";
+    std::vector<Vec3<double>> square{{7, 0, 0}, {7, 0, -4}, {7, 4, -4}, {7, 4, 0}}; // first from +x, then from -x
+    for (int side = 0; side < 2; ++side)
+    {
+        const auto flat = flattened(square);
+        EXPECT_TRUE(isConvex(flat));
+        EXPECT_GT(turn(flat[0], flat[1], flat[2]), 0);
+        EXPECT_EQ(flat[2][0] * flat[2][0], 1) << "its largest side is 1";
+        std::reverse(square.begin(), square.end());
+    }
 }
 
 } // namespace
