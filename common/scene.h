@@ -321,7 +321,7 @@ template <Instructions set, class Found>
 void Scene<Real>::visitFromRim(const Ray<Real>& ray, const LeaveTriangle<Real>& left, const Real& limit,
                                Found& found) const
 {
-    // Boxes are asked from where the triangles are, or one that is near might lie before the ray.
+    // The search through boxes begins where the tests of triangles do: else it may leave out a triangle that is very near.
     const auto inside = left.fromWithin();
     Ray<Real> moved = ray;
     moved.O = Vec3<Real>(inside.origin());
