@@ -198,7 +198,7 @@ class Viewer(unittest.TestCase):
             "cut": json.dumps(good)[:1000],
             "deep": "[" * 1000000,
             "list": "[]",
-            "literal": json.dumps(good).replace(str(good["nodes"][0]["weight"]), "NaN", 1),
+            "literal": json.dumps(good).replace(str(good["nodes"][0]["weight"]), "Nan", 1),
             "forward": json.dumps({**good, "nodes": [{**good["nodes"][0], "parent": 7}] + good["nodes"][1:]}),
             "words": json.dumps({**good, "nodes": [{**good["nodes"][0], "depth": "zero"}]}),
             "shadow": json.dumps({**good, "shadows": [{**good["shadows"][0], "node": 99999}]}),

@@ -124,7 +124,7 @@ int run(int argc, char** argv)
 
     SceneDescription bad = scene;
     bad.spheres.push_back({{1e300, 0, 0}, 1, 0});
-    bad.triangles = {{{vec3(0), vec3(0), vec3(0)}, 0}, {{vec3(0), vec3(1e200, 0, 0), vec3(0, 1, 0)}, 0}};
+    bad.triangles = {{{vec3(0), vec3(0), vec3(0)}, 0}, {{vec3(0), vec3(1e100, 0, 0), vec3(0, 1, 0)}, 0}};
     bad.lights.push_back({{1e300, 0, 0}, {1, 1, 1}});
     bad.lights.push_back({{0, 1, 0}, {1e300, 1, 1}});
     write(folder + "poisoned", poisoned(large(3, false)), bad);

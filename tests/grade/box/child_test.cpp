@@ -52,13 +52,6 @@ protected:
     }
 };
 
-/// chroot is for root: others are refused (SelfTest.FindsTheFallbackTight).
-std::vector<Sandbox> boxes()
-{
-    if (isRoot()) return {Sandbox::bubblewrap, Sandbox::chroot, Sandbox::none};
-    return {Sandbox::bubblewrap, Sandbox::none};
-}
-
 std::string nameOf(const testing::TestParamInfo<Sandbox>& info)
 {
     return name(info.param);
@@ -66,7 +59,7 @@ std::string nameOf(const testing::TestParamInfo<Sandbox>& info)
 
 } // namespace
 
-INSTANTIATE_TEST_SUITE_P(Each, InABox, testing::ValuesIn(boxes()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Each, InABox, testing::ValuesIn(sandboxesHere()), nameOf);
 
 TEST_P(InABox, AProgramAnswersAndEndsWell)
 {

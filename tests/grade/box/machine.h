@@ -2,10 +2,12 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <unistd.h>
 
 #include "common/process.h"
+#include "tests/grade/box/box.h"
 
 namespace rt::grade
 {
@@ -13,6 +15,14 @@ namespace rt::grade
 inline bool isRoot()
 {
     return ::geteuid() == 0;
+}
+
+/// Those that this user may ask for. chroot is for root, and others are refused (SelfTest.FindsTheFallbackTight); so .ci/run runs
+/// what the box is tested with as root too.
+inline std::vector<Sandbox> sandboxesHere()
+{
+    if (isRoot()) return {Sandbox::bubblewrap, Sandbox::chroot, Sandbox::none};
+    return {Sandbox::bubblewrap, Sandbox::none};
 }
 
 /// Why bubblewrap cannot run here, whatever it is asked for: containers often allow no user namespaces. Empty: it can, and then
