@@ -13,7 +13,8 @@
 namespace rt
 {
 
-template Scene<double>::Scene(const SceneDescription&);
+RAYTREE_SCENE(, double)
+template class TreeRecorder<double>;
 
 namespace grade
 {
