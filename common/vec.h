@@ -25,6 +25,8 @@ namespace rt
 template <std::floating_point Real>
 using Vec3 = glm::vec<3, Real, glm::defaultp>;
 
+using std::abs; // here and in exercises: without it abs(-0.5) is C's, of whole numbers, which is 0
+
 /// What a scene's numbers are computed with before they become Real: double for float, else Real itself.
 template <std::floating_point Real>
 using Wide = decltype(Real() + double());

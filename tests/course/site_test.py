@@ -283,6 +283,24 @@ def check_folding(b):
     expect(not b.run(shown), "on a phone the list of pages closes")
 
 
+def check_paper(b):
+    """Printed, a page is dark on white, whichever look was chosen; what needs a screen is not there."""
+    b.size(1280)
+    colours = {}
+    for theme in ("light", "dark"):
+        b.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print", "features": [{"name": "prefers-color-scheme", "value": theme}]})
+        for chosen in ("", "dark"):
+            b.open("02-mirrors.html")
+            colours[theme, chosen] = b.run("""
+              const style = (selector) => getComputedStyle(document.querySelector(selector));
+              if (arguments[0]) document.documentElement.dataset.theme = arguments[0];
+              return [style('body').color, style('body').backgroundColor, style('.code .line').color, style('.code').backgroundColor,
+                      style('.code .k-kt, .code .k-k').color, document.querySelector('.widget') ? style('.widget').backgroundColor : ''];""", chosen)
+            expect(b.run("return getComputedStyle(document.querySelector('figure.tree')).display") == "none", "paper has no ray tree to step through")
+    expect(len({tuple(found) for found in colours.values()}) == 1, f"paper has one look: {colours}")
+    b.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
+
+
 def check_browser(site, files, axe):
     if browser.missing():
         skipped.append(f"no page was opened in a browser: {browser.missing()}")
@@ -292,7 +310,7 @@ def check_browser(site, files, axe):
         names = [str(path.relative_to(site)) for path in files]
         pages = [name for name in names if "/" not in name] + [name for name in names if name.startswith("api/")][:2] \
             + [name for name in names if name.startswith("source/lessons/06")][:1]
-        for check, arguments in ((check_pages, (pages, axe)), (check_trees, (files,)), (check_switch, ()), (check_folding, ())):
+        for check, arguments in ((check_pages, (pages, axe)), (check_trees, (files,)), (check_switch, ()), (check_paper, ()), (check_folding, ())):
             started = time.time()
             check(b, *arguments)
             print(f"{check.__name__}: {time.time() - started:.1f} s", flush=True)

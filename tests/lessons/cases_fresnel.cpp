@@ -125,22 +125,26 @@ std::vector<Case> fresnelCases()
          }},
         {"Schlick", "StaysWithin36ThousandthsOfTheEquationsForGlass", schlickSlide, Kind::property,
          [](Check& check, const Subject& s) {
+             // What the equations give, as numbers: a right schlick does not lose points for a wrong fresnel.
+             constexpr std::pair<double, double> exact[] = {
+                 {0, 0.04},      {15, 0.040081}, {30, 0.041523}, {45, 0.05024},  {60, 0.089187},
+                 {70, 0.171043}, {75, 0.253061}, {80, 0.387704}, {84, 0.557814}, {85, 0.6128},
+                 {86, 0.674053}, {88, 0.818735}, {90, 1}};
              double worst = 0;
-             for (double angle = 0; angle <= 90; angle += 0.25)
-             {
-                 const double cos1 = std::cos(angle * degree);
-                 worst = std::max(worst, std::abs(s.schlick(cos1, 1, 1.5) - s.fresnel(cos1, 1, 1.5)));
-             }
-             check.near("the largest difference from your fresnel (mend 06-fresnel first), near 85 degrees", 0.0357,
-                        worst, 1e-4);
+             for (const auto& [angle, Fr] : exact)
+                 worst = std::max(worst, std::abs(s.schlick(std::cos(angle * degree), 1, 1.5) - Fr));
+             check.near("the largest difference from the equations, at 85 degrees", 0.0357, worst, 1e-4);
          }},
         {"Split", "SendsFrAlongRAndTheRestAlongT", energy, Kind::treeShape,
          [](Check& check, const Subject& s) {
              const auto tree = s.tree(furnace(1), {0, std::sin(60 * degree), 5}, {0, 0, -1});
              check.equal("nodes", std::size_t(3), tree.nodes.size());
              const double Fr = weightOf(tree, RayKind::reflected), Ft = weightOf(tree, RayKind::transmitted);
-             check.near("share of the reflected ray at 60 degrees", 0.08918671280221278, Fr, s.ulps(512));
-             check.near("share of the transmitted ray", 1 - 0.08918671280221278, Ft, s.ulps(512));
+             // Whatever it is, right or wrong: that is asked of fresnel.
+             const double expected = s.fresnel(std::cos(60 * degree), 1, 1.5);
+             check.near("share of the reflected ray at 60 degrees: what your fresnel returns", expected, Fr,
+                        s.ulps(512));
+             check.near("share of the transmitted ray: the rest", 1 - expected, Ft, s.ulps(512));
              if (!tree.nodes.empty()) check.near("Fr of the node", Fr, tree.nodes[0].fresnel.value_or(-1), 0);
          }},
         {"Split", "LosesAndMakesNoEnergy", energy, Kind::knownValue,

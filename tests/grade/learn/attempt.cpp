@@ -110,22 +110,27 @@ Attempt runAll(const std::vector<OneCase>& cases, const Subject& subject, const 
     return attempt;
 }
 
-/// The lesson's stored pictures belong to no single exercise: they show where the one at hand is wrong, or that something is
-/// though all cases are right.
+/// The lesson's stored pictures belong to no single exercise: they show where those are wrong that are, or that one is, the one
+/// at hand, though all cases are right.
 void addPictures(std::map<std::string, Attempt>& attempts, const std::string& id, const std::vector<cases::Case>& own,
                  const cases::Subject& tracer, const Seen& seen)
 {
-    auto& at = attempts.at(id);
-    bool allPassed = true;
-    for (const auto& [other, attempt] : attempts) allPassed = allPassed && attempt.outcome == Outcome::passed;
-    if (at.outcome != Outcome::wrong && !allPassed) return;
+    bool allPassed = true, wrong = false;
+    for (const auto& [other, attempt] : attempts)
+    {
+        allPassed = allPassed && attempt.outcome == Outcome::passed;
+        wrong = wrong || attempt.outcome == Outcome::wrong;
+    }
+    if (!wrong && !allPassed) return;
     std::vector<cases::Case> pictures;
     for (const auto& one : own)
         if (one.kind == cases::Kind::picture) pictures.push_back(one);
     auto result = runAll(pictures, tracer, seen);
     if (result.outcome == Outcome::passed || result.outcome == Outcome::notRun) return;
-    at.pictures = result.pictures;
+    for (auto& [other, attempt] : attempts)
+        if (attempt.outcome == Outcome::wrong) attempt.pictures = result.pictures;
     if (!allPassed) return;
+    auto& at = attempts.at(id);
     result.passed += at.passed;
     result.cases += at.cases;
     at = result;
@@ -161,11 +166,14 @@ std::map<std::string, Attempt> runCases(const Candidate& candidate, const std::v
 
 std::string caseName(const std::string& group, const std::string& name)
 {
-    std::string words = group + ":";
+    std::string words = group + ": ";
+    bool inNumber = false;
     for (const char c : name)
     {
-        if (std::isupper(static_cast<unsigned char>(c)) || words.back() == ':') words += ' ';
+        const bool digit = std::isdigit(static_cast<unsigned char>(c));
+        if (words.back() != ' ' && (std::isupper(static_cast<unsigned char>(c)) || (digit && !inNumber))) words += ' ';
         words += char(std::tolower(static_cast<unsigned char>(c)));
+        inNumber = digit;
     }
     return words;
 }

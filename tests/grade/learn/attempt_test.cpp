@@ -126,7 +126,13 @@ TEST(Attempt, ShowsThePictureOfAWrongExerciseAndNotOfAnother)
     const auto attempts = runCases(candidate, exercisesOf(2), "02-reflect");
     EXPECT_TRUE(attempts.at("02-reflect").pictures);
     EXPECT_TRUE(attempts.at("02-reflect").name.starts_with("Reflect: ")) << "a value says more than a picture";
-    EXPECT_FALSE(attempts.at("02-mirror").pictures);
+    EXPECT_FALSE(attempts.at("02-mirror").pictures) << "it is right";
+    // Whichever is looked at first.
+    candidate.tracer.tree = [](const auto&...) { return RayTree(); };
+    const auto both = runCases(candidate, exercisesOf(2), "02-reflect");
+    EXPECT_EQ(both.at("02-mirror").outcome, Outcome::wrong);
+    EXPECT_TRUE(both.at("02-reflect").pictures);
+    EXPECT_TRUE(both.at("02-mirror").pictures);
 }
 
 TEST(Attempt, ShowsNoPictureThatIsMagentaBecauseAnotherExerciseIsMissing)
@@ -150,6 +156,7 @@ TEST(Attempt, TakesWhatExercisesThrowForWrong)
 TEST(CaseName, IsASentence)
 {
     EXPECT_EQ(caseName("Reflect", "KeepsTheAngleToTheNormal"), "Reflect: keeps the angle to the normal");
+    EXPECT_EQ(caseName("Length", "IsTheRootOf53"), "Length: is the root of 53");
 }
 
 TEST(TodoLine, IsWhereTheCallStands)
@@ -196,6 +203,37 @@ TEST_F(Learning, ShowsThreeCompilerErrorsAtMost)
     EXPECT_NE(text.find("exercise.h:3: error"), std::string::npos);
     EXPECT_EQ(text.find("exercise.h:4"), std::string::npos);
     EXPECT_NE(text.find("and 2 more"), std::string::npos);
+}
+
+TEST_F(Learning, ShowsTheLinesThatLedToAnError)
+{
+    LessonRun run;
+    run.errors = {"common/vec.h:1: error: oh\nexercise.h:3: required from here"};
+    EXPECT_EQ(resultText(session, session.current(), run, {}),
+              "does not compile\n  common/vec.h:1: error: oh\n  exercise.h:3: required from here\n");
+}
+
+TEST_F(Learning, CountsNoCasesWhereThereIsOne)
+{
+    LessonRun run;
+    run.compiled = true;
+    run.attempts["01-a"].outcome = Outcome::wrong;
+    run.attempts["01-a"].cases = 1;
+    EXPECT_TRUE(resultText(session, session.current(), run, {}).starts_with("wrong\n"));
+    run.attempts["01-a"].cases = 2;
+    EXPECT_TRUE(resultText(session, session.current(), run, {}).starts_with("wrong: 0 of 2 cases are right\n"));
+}
+
+TEST_F(Learning, SaysThatAnEarlierExerciseIsWrongToo)
+{
+    LessonRun run;
+    run.compiled = true;
+    run.attempts["01-a"].outcome = run.attempts["01-b"].outcome = Outcome::wrong;
+    const auto sentence = "01-a is wrong too, and this may follow from it: mend it first";
+    EXPECT_NE(resultText(session, *session.find("01-b"), run, {}).find(sentence), std::string::npos);
+    EXPECT_EQ(resultText(session, *session.find("01-a"), run, {}).find("wrong too"), std::string::npos);
+    run.attempts["01-a"].outcome = Outcome::passed;
+    EXPECT_EQ(resultText(session, *session.find("01-b"), run, {}).find("wrong too"), std::string::npos);
 }
 
 TEST_F(Learning, KeepsControlCharactersOfForeignTextOut)

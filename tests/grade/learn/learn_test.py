@@ -116,6 +116,15 @@ class Once(Learning):
         self.change("return B - A;", "return A - B;")
         self.assertIn("this looks like: ", self.learn("--once", "2", "--exercise", "02-reflect", expect=1))
 
+    def test_says_of_each_exercise_of_a_file_what_it_says_of_the_first(self):
+        self.change("return B - A;", "return A - B;")
+        text = self.learn("--once", "2", expect=1)
+        self.assertEqual(text.count("this looks like: "), 2, text)
+        self.assertEqual(text.count("the worst pixel: "), 2, text)
+        self.assertNotIn("next: ", text)
+        self.file.write_text(solved(2))
+        self.assertEqual(self.learn("--once", "2", expect=0).count("next: "), 1)
+
     def test_refuses_bad_usage(self):
         self.file.write_text(shipped(2))
         for options in (["--once", "9"], ["--once", "two"], ["--once", "2", "--exercise", "06-fresnel"], ["--hint", "06-snell"],

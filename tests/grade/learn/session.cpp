@@ -27,15 +27,16 @@ std::vector<KnownMistake> storedMistakes(int lesson)
     return fs::exists(path) ? mistakesFromJson(readTextFile(path)) : std::vector<KnownMistake>{};
 }
 
-void nameMistake(Attempt& attempt, const std::string& id, const Candidate& candidate, int lesson)
+void nameMistakes(std::map<std::string, Attempt>& attempts, const Candidate& candidate, int lesson)
 {
-    if (attempt.outcome != Outcome::wrong) return;
-    const auto known = storedMistakes(lesson);
+    const bool wrong = std::any_of(attempts.begin(), attempts.end(),
+                                   [](const auto& one) { return one.second.outcome == Outcome::wrong; });
+    const auto known = wrong ? storedMistakes(lesson) : std::vector<KnownMistake>{};
     if (known.empty()) return;
     try
     {
-        const auto likely = likelyMistakes(ownCasesAnswers(candidate, lesson), known);
-        if (const auto found = likely.find(id); found != likely.end()) attempt.mistake = found->second;
+        for (const auto& [id, mistake] : likelyMistakes(ownCasesAnswers(candidate, lesson), known))
+            if (attempts[id].outcome == Outcome::wrong) attempts[id].mistake = mistake;
     }
     catch (const GraderError& error)
     {
@@ -118,8 +119,7 @@ LessonRun runLesson(const Session& session, int lesson, const std::string& first
     Remote remote(box, compiled.program, lesson, Limits());
     const auto candidate = remote.candidate();
     run.attempts = runCases(candidate, session.lesson(lesson), first);
-    if (const auto found = run.attempts.find(first); found != run.attempts.end())
-        nameMistake(found->second, first, candidate, lesson);
+    nameMistakes(run.attempts, candidate, lesson);
     run.text = remote.text();
     return run;
 }

@@ -17,7 +17,7 @@ namespace
 {
 
 constexpr const char *red = "31", *green = "32", *yellow = "33", *bold = "1";
-constexpr std::size_t mostErrors = 3, mostPrinted = 5; ///< lines
+constexpr std::size_t mostErrors = 3, mostErrorLines = 5, mostPrinted = 5; ///< the last two in lines
 
 std::string paint(const std::string& text, const char* how, const Look& look)
 {
@@ -29,6 +29,20 @@ std::string indented(const std::string& text)
     std::string result = "  ";
     for (const char c : text) result += c == '\n' ? std::string("\n  ") : std::string(1, c);
     return result;
+}
+
+/// The first lines of a text that others made, indented, each shortened to `longest` characters.
+std::string linesText(const std::string& from, std::size_t most, std::size_t longest)
+{
+    std::string text;
+    std::size_t lines = 0;
+    for (std::size_t at = 0; at < from.size() && lines < most; ++lines)
+    {
+        const auto end = std::min(from.find('\n', at), from.size());
+        text += indented(onOneLine(std::string_view(from).substr(at, end - at), longest)) + "\n";
+        at = end + 1;
+    }
+    return text;
 }
 
 /// The triple as one file; its path, and how to ask about its worst pixel.
@@ -50,8 +64,9 @@ std::string errorText(const LessonRun& run, const Look& look)
     std::string text = paint("does not compile", red, look);
     if (run.errors.empty()) return text + ": " + run.reason + "\n";
     text += '\n';
+    // With the lines that led to it, where it is one of our files that does not compile.
     for (std::size_t i = 0; i < std::min(mostErrors, run.errors.size()); ++i)
-        text += indented(onOneLine(run.errors[i], 500)) + "\n";
+        text += linesText(run.errors[i], mostErrorLines, 500);
     if (run.errors.size() > mostErrors) text += fmt::format("  and {} more\n", run.errors.size() - mostErrors);
     return text;
 }
@@ -59,19 +74,21 @@ std::string errorText(const LessonRun& run, const Look& look)
 /// What the student's code printed, its first lines.
 std::string printedText(const std::string& printed)
 {
-    std::string text;
-    std::size_t lines = 0;
-    for (std::size_t from = 0; from < printed.size() && lines < mostPrinted; ++lines)
-    {
-        const auto end = std::min(printed.find('\n', from), printed.size());
-        text += indented(onOneLine(std::string_view(printed).substr(from, end - from), 200)) + "\n";
-        from = end + 1;
-    }
+    const auto text = linesText(printed, mostPrinted, 200);
     return text.empty() ? "" : "\nyour code printed:\n" + text;
 }
 
-std::string attemptText(const Session& session, const Exercise& exercise, const Attempt& attempt, const Look& look)
+/// "wrong: 2 of 5 cases are right"; of a single case there is nothing to count.
+std::string verdict(const Attempt& attempt)
 {
+    if (attempt.cases == 1) return std::string(name(attempt.outcome)) + "\n";
+    return fmt::format("{}: {} of {} cases {} right\n", name(attempt.outcome), attempt.passed, attempt.cases,
+                       attempt.passed == 1 ? "is" : "are");
+}
+
+std::string attemptText(const Session& session, const Exercise& exercise, const LessonRun& run, const Look& look)
+{
+    const auto& attempt = run.attempts.at(exercise.id);
     if (attempt.outcome == Outcome::passed)
         return paint(fmt::format("right: all {} cases\n", attempt.cases), green, look);
     if (attempt.outcome == Outcome::notRun) return paint("could not be tried\n", red, look);
@@ -81,16 +98,20 @@ std::string attemptText(const Session& session, const Exercise& exercise, const 
             return paint("not attempted yet\n", yellow, look);
         return paint(fmt::format("waits for {}: its cases need both\n", attempt.missing), yellow, look);
     }
-    std::string text =
-        paint(fmt::format("{}: {} of {} cases {} right\n", name(attempt.outcome), attempt.passed,
-                          session.find(exercise.id) ? attempt.cases : 0, attempt.passed == 1 ? "is" : "are"),
-              red, look);
+    std::string text = paint(verdict(attempt), red, look);
     const auto& example = attempt.example;
     text += fmt::format("  {}\n  Slide: {}\n", attempt.name, attempt.slide);
     text += indented(fmt::format("{}\nexpected {}\ngot      {}\n", onOneLine(example.what, 500),
                                  onOneLine(example.expected, 500), onOneLine(example.got, 500)));
     text.resize(text.find_last_not_of(' ') + 1);
     if (!attempt.mistake.empty()) text += "  " + paint("this looks like: " + attempt.mistake, bold, look) + "\n";
+    for (const auto& before : session.lesson(exercise.lesson))
+    {
+        if (before.id == exercise.id) break;
+        if (const auto found = run.attempts.find(before.id);
+            found != run.attempts.end() && found->second.outcome == Outcome::wrong)
+            text += fmt::format("  {} is wrong too, and this may follow from it: mend it first\n", before.id);
+    }
     return text;
 }
 
@@ -137,22 +158,22 @@ std::string exerciseText(const Session& session, const Exercise& exercise, const
                        line ? fmt::format("{}:{}: the TODO", shortened(file), line) : shortened(file));
 }
 
+std::string nextText(const Session& session, const Exercise& exercise)
+{
+    const auto* next = session.nextToDo(exercise.id);
+    return next ? fmt::format("next: {}, {}\n", next->id, next->title) : "all exercises are right: well done\n";
+}
+
 std::string resultText(const Session& session, const Exercise& exercise, const LessonRun& run, const Look& look)
 {
     if (!run.compiled) return errorText(run, look);
     const auto found = run.attempts.find(exercise.id);
     if (found == run.attempts.end()) return "";
     const auto& attempt = found->second;
-    std::string text = attemptText(session, exercise, attempt, look);
+    std::string text = attemptText(session, exercise, run, look);
     if (attempt.pictures) text += pictureText(exercise, *attempt.pictures, look);
     for (const auto& remark : run.remarks) text += onOneLine(remark, 200) + "\n";
-    text += printedText(run.text);
-    if (attempt.outcome == Outcome::passed)
-    {
-        const auto* next = session.nextToDo(exercise.id);
-        text += next ? fmt::format("next: {}, {}\n", next->id, next->title) : "all exercises are right: well done\n";
-    }
-    return text;
+    return text + printedText(run.text);
 }
 
 } // namespace rt::grade

@@ -23,8 +23,10 @@ std::string progressList(const Session& session, const Look& look);
 /// The exercise: title, slide, where its TODO is.
 std::string exerciseText(const Session& session, const Exercise& exercise, const Look& look);
 
-/// What came of it: compiler errors, or the first case that fails, or what is next. Writes the picture triple, if there is one,
-/// below out/learn/.
+/// What to do after this exercise, which is right.
+std::string nextText(const Session& session, const Exercise& exercise);
+
+/// What came of it: compiler errors, or the first case that fails. Writes the picture triple, if there is one, below out/learn/.
 std::string resultText(const Session& session, const Exercise& exercise, const LessonRun& run, const Look& look);
 
 } // namespace rt::grade

@@ -51,13 +51,19 @@ struct Watch
 
     Exercise current() const { return session.current(); }
 
+    bool isRight(const Exercise& exercise) const
+    {
+        const auto found = run.attempts.find(exercise.id);
+        return found != run.attempts.end() && found->second.outcome == Outcome::passed;
+    }
+
     void show() const
     {
         const auto exercise = current();
         const char* term = std::getenv("TERM");
         const bool clears = isTerminal() && term && std::strcmp(term, "dumb") != 0;
         say((clears ? "\033[2J\033[H" : "\n") + progressLine(session) + "\n" + exerciseText(session, exercise, look) +
-            "\n" + resultText(session, exercise, run, look) +
+            "\n" + resultText(session, exercise, run, look) + (isRight(exercise) ? nextText(session, exercise) : "") +
             fmt::format("\nh hint  n next  p previous  r run again  q quit; waiting for {} to be saved\n",
                         shortened(session.fileOf(exercise.lesson))));
     }
@@ -175,6 +181,7 @@ int once(Session& session, int lesson, const std::string& id)
         say(exerciseText(session, exercise, look) + resultText(session, exercise, run, look) + "\n");
         if (!run.compiled) break;
     }
+    if (allRight) say(nextText(session, id.empty() ? exercises.back() : *session.find(id)));
     say(progressLine(session));
     return allRight ? exitDone : 1;
 }

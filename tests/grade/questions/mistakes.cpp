@@ -75,20 +75,37 @@ void addFailures(Evidence& evidence, const Case& which, const Subject& subject)
     if (!ended.empty()) evidence[key(count)] = ended;
 }
 
+/// Has a number that nobody meets by chance: 0.0406728807, and not 1 or 0.25.
+bool isUnusual(const std::string& answer)
+{
+    int digits = 0;
+    for (const char c : answer.substr(answer.rfind(": ") + 1)) // after the question
+    {
+        const bool isDigit = c >= '0' && c <= '9';
+        digits = isDigit && (c != '0' || digits > 0) ? digits + 1 : isDigit || c == '.' ? digits : 0;
+        if (digits >= 5 && c != '0') return true;
+    }
+    return false;
+}
+
 /// Which share of the questions that the student or the mutant answers wrongly do both answer alike; 0 if those are too few.
 double explained(const Evidence& student, const Evidence& mutant)
 {
-    constexpr std::size_t fewest = 3; // a single wrong answer may have many reasons
+    constexpr std::size_t fewest = 3; // one or two wrong answers may have many reasons, but for the same odd number
     std::size_t same = 0, all = mutant.size();
+    bool unusual = false;
     for (const auto& [question, answer] : student)
     {
         const auto theirs = mutant.find(question);
         if (theirs == mutant.end())
             ++all;
         else if (sameAnswer(theirs->second, answer))
+        {
             ++same;
+            unusual = unusual || isUnusual(answer);
+        }
     }
-    return same < fewest ? 0 : double(same) / double(all);
+    return same >= fewest || unusual ? double(same) / double(all) : 0;
 }
 
 bool belongs(const Exercise& exercise, const char* group)
