@@ -600,7 +600,8 @@ Hit<Real> Scene<Real>::hitAt(const Ray<Real>& ray, Real t, PrimitiveId id) const
     if (id < firstPlane)
     {
         const auto& sphere = spheres[std::size_t(id)];
-        const Vec3<Real> N = unit(P - sphere.C);
+        // From so far that P is rounded to the centre, the side is at least the one that the ray comes from.
+        const Vec3<Real> N = unitOr(P - sphere.C, -ray.D);
         return finish(ray, t, id, sphere.C + sphere.r * N, N, sphere.material);
     }
     if (id < firstTriangle)
