@@ -232,6 +232,8 @@ std::vector<Formula> explainNode(const RayTree& tree, const SceneDescription& sc
             if (const auto& shadow = tree.shadows[std::size_t(index)]; std::size_t(shadow.light) < scene.lights.size())
                 add(formulas, "Direct light",
                     [&] { return directLight(shadow, scene.lights[std::size_t(shadow.light)], node, scene, lecture); });
+        if (tree.isContradicted(id))
+            formulas.push_back({"Media that contradict", "n1 = n2 of the surface before", contradictionText(tree, id)});
         if (node.n1 && node.n2) addBoundary(formulas, tree, node, lecture);
         for (const int child : tree.childrenOf(id))
             if (tree.nodes[std::size_t(child)].kind == RayKind::reflected)

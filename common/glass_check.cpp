@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "common/coincident.h"
+
 namespace rt
 {
 
@@ -99,6 +101,15 @@ std::string nestedGlassFault(const SceneDescription& scene)
             return fmt::format("sphere{} lies in sphere{}, which has ior {}, but its material '{}' has ior_outside {}",
                                inner, around, outside.ior, within.name, within.iorOutside);
     }
+    return "";
+}
+
+std::string equalSphereFault(const SceneDescription& scene)
+{
+    const auto first = firstOfEqualSpheres(scene.spheres);
+    for (std::size_t i = 0; i < first.size(); ++i)
+        if (first[i] != int(i))
+            return fmt::format("sphere{} has the centre and the radius of sphere{}, and is never met", i, first[i]);
     return "";
 }
 

@@ -16,4 +16,7 @@ std::string glassMeshFault(const std::vector<MeshTriangle>& triangles);
 /// One glass ball within another whose `ior` is not what it says of its outside; "" if there is none, or very many balls.
 std::string nestedGlassFault(const SceneDescription& scene);
 
+/// The first sphere that has the centre and the radius of another before it, so that no ray meets it; "" if there is none.
+std::string equalSphereFault(const SceneDescription& scene);
+
 } // namespace rt

@@ -63,18 +63,11 @@ public:
     [[gnu::noinline]] std::optional<Real> meet(const Triangle<Real>& other) const
     {
         Crossing line(ray, other);
-        if (!line.isInside())
-        {
-            // From within a fold the ray cannot pass below the common edge, whatever its rounded origin says.
-            const int opposite = commonEdge(other);
-            if (opposite < 0) return std::nullopt;
-            const auto area = line.u + line.v + line.w;
-            (opposite == 0 ? line.u : opposite == 1 ? line.v : line.w) = 0;
-            if (!line.isInside() || !haveOneSign(area, line.u + line.v + line.w)) return std::nullopt;
-        }
+        if (!line.isInside() && !closeGaps(line, other)) return std::nullopt;
         const Real t = line.distance();
         if (!(std::abs(t) < infinity<Real>) || !Shapes<Real>::isNear(ray.O + t * ray.D, ray.O, other))
             return std::nullopt;
+        if (isOtherSideAtCorner(other, t)) return std::nullopt;
         switch (whatIsKnown(other))
         {
         case Known::ahead:
@@ -122,6 +115,47 @@ private:
     {
         if (find(corner, triangle) >= 0) return 0;
         return dot(Vec3<Wide<Real>>(corner) - Vec3<Wide<Real>>(triangle.a), Vec3<Wide<Real>>(triangle.N));
+    }
+
+    /// How far the origin may have been rounded off, and vertices as seen from there.
+    Real rounding(const Triangle<Real>& other) const
+    {
+        return 16 * std::numeric_limits<Real>::epsilon() * (sum(ray.O) + sum(other.a) + sum(other.b) + sum(other.c));
+    }
+
+    static Real sum(const Vec3<Real>& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
+
+    /// From within a fold the ray cannot pass below the common edge, nor out of a mesh between the triangles at a common corner,
+    /// whatever its rounded origin says: edges that it misses by no more than rounding are moved to it. True if it is inside then.
+    bool closeGaps(Crossing& line, const Triangle<Real>& other) const
+    {
+        const int a = find(other.a, left) >= 0, b = find(other.b, left) >= 0, c = find(other.c, left) >= 0;
+        if (a + b + c == 0) return false;
+        // The value of an edge is a distance from it times its length.
+        const auto slack = rounding(other) * (sum(other.b - other.a) + sum(other.c - other.a));
+        const auto area = line.u + line.v + line.w;
+        bool atCorner = false;
+        const auto close = [&](auto& edge, int ends) {
+            if (ends == 0 || haveOneSign(edge, area) || !(std::abs(edge) <= slack)) return;
+            edge = 0;
+            if (ends == 1) atCorner = true;
+        };
+        close(line.u, b + c);
+        close(line.v, c + a);
+        close(line.w, a + b);
+        if (!line.isInside() || !haveOneSign(area, line.u + line.v + line.w)) return false;
+        return !atCorner || (std::abs(area) > 4 * slack && haveOneSign(dot(ray.D, normal(other)), -side));
+    }
+
+    /// What leaves an inner side meets inner sides first; so where it starts, but for rounding, at a common corner, outer ones are
+    /// not met. They would be if it had got out between two triangles that it missed by as little.
+    bool isOtherSideAtCorner(const Triangle<Real>& other, Real t) const
+    {
+        const auto theirs = cornersOf(other);
+        if (std::count_if(theirs.begin(), theirs.end(), [&](const auto& p) { return find(p, left) >= 0; }) != 1)
+            return false;
+        const Real along = dot(ray.D, normal(other));
+        return haveOneSign(along, side) && std::abs(t * along) <= rounding(other);
     }
 
     /// The number of the other triangle's corner that is not on the common edge; -1 if there is none such.

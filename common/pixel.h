@@ -11,15 +11,17 @@ namespace rt
 {
 
 /// Where sample `index` of a pixel lies in it, in [0, 1)². The R2 sequence (Roberts 2018), whose first point is the centre.
+/// In double at least: float would have lost the digits behind the point of a large index.
 template <std::floating_point Real>
 std::array<Real, 2> samplePosition(int index)
 {
     if (index == 0) return {Real(0.5), Real(0.5)};
-    const auto fraction = [index](Real step) {
-        const Real x = Real(0.5) + Real(index) * step;
-        return x - std::floor(x);
+    using Number = Wide<Real>;
+    const auto fraction = [index](Number step) {
+        const Number x = Number(0.5) + Number(index) * step;
+        return std::min(Real(x - std::floor(x)), 1 - std::numeric_limits<Real>::epsilon() / 2);
     };
-    return {fraction(Real(0.75487766624669276005L)), fraction(Real(0.56984029099805326591L))};
+    return {fraction(Number(0.75487766624669276005L)), fraction(Number(0.56984029099805326591L))};
 }
 
 /// The ray of sample `index` of pixel (px, py).
@@ -30,17 +32,18 @@ Ray<Real> sampleRay(const Scene<Real>& scene, int px, int py, int index)
     return scene.camera.ray(Real(px) + x, Real(py) + y);
 }
 
-/// The colour of pixel (px, py): the mean of its samples, whose rays are rayOf(px, py, index).
+/// The colour of pixel (px, py): the mean of its samples, whose rays are rayOf(px, py, index). float sums in double, so that the
+/// mean of many samples is as right as one.
 template <std::floating_point Real, class Tracer, class RayOf>
-Vec3<Real> renderSamples(Tracer& tracer, int px, int py, int spp, RayOf&& rayOf)
+[[gnu::always_inline]] inline Vec3<Real> renderSamples(Tracer& tracer, int px, int py, int spp, RayOf&& rayOf)
 {
-    Vec3<Real> sum(0);
+    Vec3<Wide<Real>> sum(0);
     for (int i = 0; i < spp; ++i)
     {
         beginCameraRay();
-        sum += tracer.trace(rayOf(px, py, i));
+        sum += Vec3<Wide<Real>>(tracer.trace(rayOf(px, py, i)));
     }
-    return spp == 1 ? sum : sum / Real(spp);
+    return Vec3<Real>(spp == 1 ? sum : sum / Wide<Real>(spp));
 }
 
 /// The same, for one pixel alone.

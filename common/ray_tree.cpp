@@ -122,10 +122,47 @@ std::string nodeText(const RayTree& tree, int id)
     if (node.n1 && node.n2) out += fmt::format("{}n1 = {:.5g}, n2 = {:.5g}", inner, *node.n1, *node.n2);
     if (node.n1 && node.fresnel) out += fmt::format(", Fr = {:.5g}", *node.fresnel);
     if (node.n1) out += node.tir ? ", total internal reflection\n" : "\n";
+    if (node.hit && tree.isContradicted(id)) out += fmt::format("{}! {}\n", inner, contradictionText(tree, id));
     return out;
 }
 
 } // namespace
+
+std::optional<double> RayTree::mediumOf(int id) const
+{
+    // What a surface that is no glass reflects stays in the medium in which it came.
+    for (const Node* node = &nodes.at(std::size_t(id)); node->parent >= 0;)
+    {
+        const Node& parent = nodes[std::size_t(node->parent)];
+        if (parent.n1 && parent.n2) return node->kind == RayKind::transmitted ? parent.n2 : parent.n1;
+        if (node->kind == RayKind::transmitted) break;
+        node = &parent;
+    }
+    return std::nullopt;
+}
+
+bool RayTree::isContradicted(int id) const
+{
+    const auto& node = nodes.at(std::size_t(id));
+    if (!node.n1) return false;
+    const auto medium = mediumOf(id);
+    return medium && *medium != *node.n1;
+}
+
+std::string contradictionText(const RayTree& tree, int id)
+{
+    const auto& node = tree.nodes.at(std::size_t(id));
+    return fmt::format("n1 = {:.5g} by {}, but the ray comes from a medium of {:.5g}: ior_outside?", *node.n1,
+                       node.hit->primitive, *tree.mediumOf(id));
+}
+
+std::string firstContradiction(const RayTree& tree)
+{
+    for (const auto& node : tree.nodes)
+        if (node.hit && tree.isContradicted(node.id))
+            return fmt::format("{}: ray {} of the tree: {}", tree.scene, node.id, contradictionText(tree, node.id));
+    return "";
+}
 
 std::string toText(const RayTree& tree)
 {

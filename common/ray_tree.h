@@ -106,6 +106,10 @@ struct RayTree
 
     /// The ids of the node's children, in the order in which they were followed.
     std::vector<int> childrenOf(int node) const;
+    /// The index of refraction that the node's ray comes through, by what the surfaces before said; empty for the camera's.
+    std::optional<double> mediumOf(int node) const;
+    /// Does the node's surface say another n1? Then some ior_outside is wrong or missing, or surfaces overlap.
+    bool isContradicted(int node) const;
     /// The indices into `shadows` of the shadow rays that leave the node's hit point.
     std::vector<int> shadowsOf(int node) const;
 };
@@ -119,6 +123,12 @@ std::string text(const Vec3<double>& v); ///< "(x, y, z)", five digits each
 /// child, bottom-up, in Real arithmetic. For float and double these are the bits of nodes[0].radiance.
 template <std::floating_point Real>
 Vec3<Real> evaluate(const RayTree& tree);
+
+/// What a surface and the one before it say of the medium between them; of a node that isContradicted and was hit.
+std::string contradictionText(const RayTree& tree, int node);
+
+/// The first of them as a warning, with scene and ray; "" if there is none.
+std::string firstContradiction(const RayTree& tree);
 
 /// The tree as indented text in the slides' words, one paragraph a ray.
 std::string toText(const RayTree& tree);

@@ -109,8 +109,8 @@ std::string entryText(const Json& entry)
     return out;
 }
 
-template <class Item>
-void writeEntries(std::string& out, const char* key, const std::vector<Item>& items, Json (*asJson)(const Item&))
+template <class Item, class AsJson>
+void writeEntries(std::string& out, const char* key, const std::vector<Item>& items, AsJson&& asJson)
 {
     out += fmt::format(",\n \"{}\": [", key);
     for (const auto& item : items) out += (&item == items.data() ? "\n" : ",\n") + entryText(asJson(item));
@@ -133,7 +133,11 @@ std::string toJson(const RayTree& tree)
     head["max_depth"] = tree.maxDepth;
     std::string out = head.dump(1, ' ', false, Json::error_handler_t::replace);
     out.resize(out.size() - std::string("\n}").size());
-    writeEntries(out, "nodes", tree.nodes, nodeJson);
+    writeEntries(out, "nodes", tree.nodes, [&](const RayTree::Node& node) {
+        Json json = nodeJson(node);
+        if (tree.isContradicted(node.id)) json["medium"] = *tree.mediumOf(node.id); // derived: not read back
+        return json;
+    });
     writeEntries(out, "shadows", tree.shadows, shadowJson);
     writeEntries(out, "capped", tree.capped, cappedJson);
     return out + "\n}\n";

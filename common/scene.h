@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/camera.h"
+#include "common/coincident.h"
 #include "common/hit.h"
 #include "common/leave_triangle.h"
 #include "common/light.h"
@@ -39,8 +40,8 @@ public:
     explicit Scene(const SceneDescription& description);
 
     /// The slides' IntersectScene: the nearest hit with t > 0, or nothing. A ray never meets again the plane or triangle
-    /// that it leaves, and the sphere only at its far side. Equal distances: the lowest primitive id wins. `shapes`
-    /// supplies the formulas; only exercise 01 passes its own.
+    /// that it leaves, and the sphere only at its far side. Equal distances: the lowest primitive id wins; where surfaces
+    /// lie on one another, foremost says which. `shapes` supplies the formulas; only exercise 01 passes its own.
     template <class Formulas = Shapes<Real>>
     [[gnu::always_inline]] std::optional<Hit<Real>> intersect(const Ray<Real>& ray, const Formulas& shapes = {}) const
     {
@@ -77,13 +78,13 @@ public:
         return tintBetween(I, L, distance);
     }
 
-    /// Does lookAhead take less time than to intersect one by one? If all is scanned.
+    /// Does lookAhead take less time than to intersect one by one? If all is scanned, and nothing lies on something else.
     bool wantsLookAhead() const
     {
-        return looksAhead<Real> && spheres.size() <= SphereSearch<Real>::mostScanned && triangles.empty();
+        return looksAhead<Real> && isScanned;
     }
 
-    /// Sets `hit` of `count` rays, a multiple of four, that leave no primitive.
+    /// Sets `hit` of `count` rays, a multiple of four, that leave no primitive; if wantsLookAhead.
     void lookAhead(Ahead<Real>* rays, int count) const
     {
         if constexpr (!looksAhead<Real>) return;
@@ -149,6 +150,13 @@ private:
         return x >= std::numeric_limits<Wide<Real>>::min() && x < infinity<Wide<Real>>;
     }
 
+    /// hitAt, of a scene with sheets. A ray that leaves one meets only what startOn said of it.
+    [[gnu::noinline]] std::optional<Hit<Real>> foremostHit(const Ray<Real>& ray, Real t, PrimitiveId id) const
+    {
+        if (sheetOfPrimitive(ray.from) != sheetOfPrimitive(id)) id = foremost(ray, t, id);
+        return hitAt(ray, t, id);
+    }
+
     Hit<Real> hitAt(const Ray<Real>& ray, Real t, PrimitiveId id) const;
 
     Hit<Real> finish(const Ray<Real>& ray, Real t, PrimitiveId id, const Vec3<Real>& I, const Vec3<Real>& outward,
@@ -156,8 +164,41 @@ private:
 
     Vec3<Real> tintBetween(const Point<Real>& I, const Vec3<Real>& L, Real distance) const;
 
+    /// Flat surfaces that lie on one another.
+    struct Sheet
+    {
+        PrimitiveId plane = noPrimitive; ///< the first of its planes
+        std::vector<PrimitiveId> planes, triangles;
+        std::vector<Triangle<Real>> copies; ///< of these triangles
+        TriangleSearch<Real> search{{}};
+    };
+
+    void findSheets(const SceneDescription& description);
+
+    std::int32_t sheetOfPrimitive(PrimitiveId id) const
+    {
+        return sheetOf.empty() || id < 0 ? -1 : sheetOf[std::size_t(id)];
+    }
+
+    int layerOf(PrimitiveId id, const Vec3<Real>& D) const;
+
+    PrimitiveId foremost(const Ray<Real>& ray, Real t, PrimitiveId found) const;
+
+    /// What a ray meets of the surface that it leaves and of those that lie on it; and the plane that it does not meet.
+    struct Start
+    {
+        PrimitiveId id, left;
+        std::optional<Real> t = std::nullopt;
+    };
+    Start startOn(const Vec3<Real>& O, const Vec3<Real>& D, PrimitiveId from) const;
+
     Real brightestReturn() const;
     const Material<Real>& materialOf(PrimitiveId id) const;
+
+    std::vector<std::int32_t> sheetOf; ///< of each primitive; -1: none; empty if there are no sheets
+    std::vector<Sheet> sheets;
+    std::vector<Plane<Real>> planesToMeet; ///< without those that are there already, whose N is 0: no ray meets them
+    std::vector<int> firstOfSpheres;       ///< for equal spheres; empty if there are none
 
     SphereSearch<Real> sphereSearch{{}};
     TriangleSearch<Real> triangleSearch{{}};
@@ -165,6 +206,7 @@ private:
     Real nearestLamp = std::numeric_limits<Real>::min(); ///< distance²: closer, light may overflow
 
     PrimitiveId firstPlane = 0, firstTriangle = 0;
+    bool isScanned = false; ///< no hierarchies, no triangles, no sheets
 };
 
 template <std::floating_point Real>
@@ -253,8 +295,110 @@ Scene<Real>::Scene(const SceneDescription& description)
     firstPlane = PrimitiveId(spheres.size());
     firstTriangle = PrimitiveId(spheres.size() + planes.size());
     if (settings.cutoff > 0) brightest = brightestReturn();
-    sphereSearch = SphereSearch<Real>(spheres);
+    firstOfSpheres = firstOfEqualSpheres(description.spheres);
+    findSheets(description);
+    sphereSearch = SphereSearch<Real>(spheres, SphereSearch<Real>::mostScanned, firstOfSpheres);
     triangleSearch = TriangleSearch<Real>(triangles);
+    isScanned = spheres.size() <= SphereSearch<Real>::mostScanned && triangles.empty() && sheets.empty();
+}
+
+template <std::floating_point Real>
+void Scene<Real>::findSheets(const SceneDescription& description)
+{
+    for (const auto& found : CoincidentSurfaces(description).sheets())
+    {
+        if (sheetOf.empty()) sheetOf.assign(spheres.size() + planes.size() + triangles.size(), -1);
+        auto& sheet = sheets.emplace_back();
+        const auto add = [&](PrimitiveId id) { sheetOf[std::size_t(id)] = std::int32_t(sheets.size()) - 1; };
+        for (const int plane : found.planes)
+        {
+            auto& its = planes[std::size_t(plane)];
+            const auto& first = planes[std::size_t(found.planes[0])];
+            // One plane, and its distance is computed once.
+            its.P = first.P;
+            its.N = dot(its.N, first.N) < 0 ? -first.N : first.N;
+            sheet.planes.push_back(firstPlane + plane);
+            add(firstPlane + plane);
+        }
+        if (!sheet.planes.empty()) sheet.plane = sheet.planes[0];
+        for (const int triangle : found.triangles)
+        {
+            sheet.triangles.push_back(firstTriangle + triangle);
+            sheet.copies.push_back(triangles[std::size_t(triangle)]);
+            add(firstTriangle + triangle);
+        }
+        sheet.search = TriangleSearch<Real>(sheet.copies);
+    }
+    planesToMeet = planes;
+    for (const auto& sheet : sheets)
+        for (const auto id : sheet.planes)
+            if (id != sheet.plane) planesToMeet[std::size_t(id - firstPlane)].N = Vec3<Real>(0);
+}
+
+/// Where surfaces lie on one another, a ray first gets out of glass (-1), then meets what is opaque (0), then gets into glass (1),
+/// as if there were a gap of air that has no width. Seen from the other side the order is the reverse.
+template <std::floating_point Real>
+int Scene<Real>::layerOf(PrimitiveId id, const Vec3<Real>& D) const
+{
+    if (!materialOf(id).isDielectric()) return 0;
+    const Vec3<Real>& N =
+        id < firstTriangle ? planes[std::size_t(id - firstPlane)].N : triangles[std::size_t(id - firstTriangle)].N;
+    return dot(D, N) > 0 ? -1 : 1;
+}
+
+/// Of the surfaces that lie on the plane or triangle `found`, which the ray meets at t, the one that it meets first. Of one
+/// layer, a triangle comes before a plane, which has no end and would hide it, then the lowest id; the others are never met.
+/// Of a ray that leaves one of them: the first in a later layer, where it starts; noPrimitive if there is none.
+template <std::floating_point Real>
+[[gnu::noinline]] PrimitiveId Scene<Real>::foremost(const Ray<Real>& ray, Real t, PrimitiveId found) const
+{
+    const auto index = sheetOfPrimitive(found);
+    if (index < 0) return found;
+    const auto& sheet = sheets[std::size_t(index)];
+    const bool leaves = ray.from == found;
+    const int left = leaves ? layerOf(found, ray.D) : -2;
+    PrimitiveId best = noPrimitive;
+    std::array<int, 3> order{};
+    const auto consider = [&](PrimitiveId id) {
+        const int layer = layerOf(id, ray.D);
+        const std::array its{layer, int(id < firstTriangle), int(id)};
+        if (layer <= left || (best != noPrimitive && order < its)) return;
+        best = id;
+        order = its;
+    };
+    consider(found);
+    for (const auto id : sheet.planes) consider(id);
+    // Which triangles lie there is asked along the ray that comes, as in the search; of one that leaves, straight through them.
+    Ray<Real> line = ray;
+    if (leaves)
+        line.D = found < firstTriangle ? planes[std::size_t(found - firstPlane)].N
+                                       : triangles[std::size_t(found - firstTriangle)].N;
+    const Vec3<Real> P = ray.O + t * ray.D;
+    sheet.search.template visit<Instructions::baseline>(
+        sheet.copies, line, infinity<Real>,
+        [&](PrimitiveId k) -> std::optional<Real> {
+            const auto& triangle = sheet.copies[std::size_t(k)];
+            const typename Shapes<Real>::Crossing crossing(line, triangle);
+            if (!crossing.isInside() || !Shapes<Real>::isNear(P, ray.O, triangle)) return std::nullopt;
+            return t;
+        },
+        [&](PrimitiveId k, Real) {
+            consider(sheet.triangles[std::size_t(k)]);
+            return false;
+        });
+    return best;
+}
+
+/// Of a plane or triangle: the others of its sheet are where the ray starts, met there or not at all.
+template <std::floating_point Real>
+[[gnu::noinline]] auto Scene<Real>::startOn(const Vec3<Real>& O, const Vec3<Real>& D, PrimitiveId from) const -> Start
+{
+    const auto sheet = sheetOfPrimitive(from);
+    if (sheet < 0) return {from, from};
+    const auto next = foremost({.O = O, .D = D, .from = from}, 0, from);
+    Start start{next, sheets[std::size_t(sheet)].plane};
+    if (next != noPrimitive) start.t = std::numeric_limits<Real>::denorm_min();
+    return start;
 }
 
 /// Calls found(id, t) for the primitives that the ray meets at t <= limit, in any order, until it returns true. It may lower
@@ -265,13 +409,19 @@ void Scene<Real>::visitHits(const Vec3<Real>& O, const Vec3<Real>& D, PrimitiveI
                             const Real& limit, Found&& found) const
 {
     const Ray<Real> ray{.O = O, .D = D, .from = from};
-    if (from >= 0 && from < firstPlane)
-        if (const auto t = Shapes<Real>::leaveSphere(ray, spheres[std::size_t(from)]))
-            if (found(from, *t)) return;
-    PrimitiveId id = firstPlane;
-    for (const auto& plane : planes)
+    Start start{.id = from, .left = from};
+    if (from >= 0)
     {
-        if (id != from)
+        if (from < firstPlane)
+            start.t = Shapes<Real>::leaveSphere(ray, spheres[std::size_t(from)]);
+        else if (!sheetOf.empty()) [[unlikely]]
+            start = startOn(O, D, from);
+        if (start.t && found(start.id, *start.t)) return;
+    }
+    PrimitiveId id = firstPlane;
+    for (const auto& plane : planesToMeet)
+    {
+        if (id != start.left)
             if (const auto t = shapes.intersectPlane(ray, plane))
                 if (found(id, *t)) return;
         ++id;
@@ -282,7 +432,7 @@ void Scene<Real>::visitHits(const Vec3<Real>& O, const Vec3<Real>& D, PrimitiveI
     }
     else // Other formulas have their own roundings, which no box is padded for.
         for (id = 0; id < firstPlane; ++id)
-            if (id != from)
+            if (id != from && firstOfSpheres[std::size_t(id)] == id)
                 if (const auto t = shapes.intersectSphere(ray, spheres[std::size_t(id)]))
                     if (found(id, *t)) return;
     if (triangles.empty()) return;
@@ -298,7 +448,11 @@ void Scene<Real>::visitTriangles(const Vec3<Real>& O, const Vec3<Real>& D, Primi
                                  Found& found) const
 {
     const Ray<Real> ray{.O = O, .D = D, .from = from};
-    const auto withId = [&](PrimitiveId index, Real t) { return bool(found(firstTriangle + index, t)); };
+    const auto sheet = sheetOfPrimitive(from);
+    const auto withId = [&](PrimitiveId index, Real t) {
+        const PrimitiveId id = firstTriangle + index;
+        return (sheet < 0 || sheetOf[std::size_t(id)] != sheet) && bool(found(id, t));
+    };
     if (from < firstTriangle)
     {
         triangleSearch.template visit<set>(
@@ -350,6 +504,8 @@ std::optional<Hit<Real>> Scene<Real>::intersectWith(const Ray<Real>& ray, const 
         return false;
     });
     if (id == noPrimitive) return std::nullopt;
+    if (!sheetOf.empty()) [[unlikely]]
+        return foremostHit(ray, nearest, id);
     return hitAt(ray, nearest, id);
 }
 
@@ -444,7 +600,8 @@ Hit<Real> Scene<Real>::hitAt(const Ray<Real>& ray, Real t, PrimitiveId id) const
     if (id < firstPlane)
     {
         const auto& sphere = spheres[std::size_t(id)];
-        const Vec3<Real> N = unit(P - sphere.C);
+        // From so far that P is rounded to the centre, the side is at least the one that the ray comes from.
+        const Vec3<Real> N = unitOr(P - sphere.C, -ray.D);
         return finish(ray, t, id, sphere.C + sphere.r * N, N, sphere.material);
     }
     if (id < firstTriangle)

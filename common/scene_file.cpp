@@ -377,8 +377,8 @@ SceneDescription readScene(const toml::table& source, const std::string& file)
     for (const auto* triangle : triangles) readTriangle(reading, *triangle);
     for (const auto* mesh : meshes) readMesh(reading, *mesh);
     for (const auto* light : lights) readLight(reading, *light);
-    if (const auto fault = nestedGlassFault(scene); !fault.empty())
-        scene.warnings.push_back(fmt::format("{}: {}", file, fault));
+    for (const auto& fault : {nestedGlassFault(scene), equalSphereFault(scene)})
+        if (!fault.empty()) scene.warnings.push_back(fmt::format("{}: {}", file, fault));
     return scene;
 }
 

@@ -110,6 +110,23 @@ struct Shapes
         return std::nullopt;
     }
 
+    /// a b - c d where the products nearly agree, of the right sign: each is a rounded product and what was rounded off it
+    /// (Dekker, "A floating-point technique for extending the available precision", 1971; no instruction for it is needed).
+    [[gnu::noinline]] static Real exactDifference(Real a, Real b, Real c, Real d)
+    {
+        const auto error = [](Real x, Real y, Real product) {
+            constexpr Real splitter = Real((std::int64_t(1) << (std::numeric_limits<Real>::digits + 1) / 2) + 1);
+            const auto upper = [](Real v) {
+                const Real far = splitter * v;
+                return far - (far - v);
+            };
+            const Real x1 = upper(x), x2 = x - x1, y1 = upper(y), y2 = y - y1;
+            return ((x1 * y1 - product) + x1 * y2 + x2 * y1) + x2 * y2;
+        };
+        const Real first = a * b, second = c * d;
+        return (first - second) + (error(a, b, first) - error(c, d, second));
+    }
+
     /// Where the line of a ray, before its origin too, crosses the plane of a triangle.
     struct Crossing
     {
@@ -131,9 +148,15 @@ struct Shapes
             const Real bx = B[x] - shearX * B[z], by = B[y] - shearY * B[z];
             const Real cx = C[x] - shearX * C[z], cy = C[y] - shearY * C[z];
 
-            // float decides edges in double, as the paper asks; there the products are exact.
+            // float decides edges in double, as the paper asks; there the products are exact. Other types make their
+            // products exact where rounding might turn the sign: else a ray at a corner may be beside all that meet there.
             const auto edge = [](Real px, Real py, Real qx, Real qy) {
-                return Wide(px) * Wide(qy) - Wide(py) * Wide(qx);
+                const Wide first = Wide(px) * Wide(qy), second = Wide(py) * Wide(qx), difference = first - second;
+                if constexpr (std::is_same_v<Real, Wide>)
+                    if (!(std::abs(difference) >
+                          std::numeric_limits<Real>::epsilon() * (std::abs(first) + std::abs(second)))) [[unlikely]]
+                        return exactDifference(px, qy, py, qx);
+                return difference;
             };
             u = edge(cx, cy, bx, by);
             v = edge(ax, ay, cx, cy);

@@ -22,8 +22,8 @@ struct SkyFormulas
     static vec2 latLong(const vec3& D)
     {
         // SOLUTION 04-latlong
-        const Real longitude = portable::atan2(D.x, -D.z);               // -pi .. pi
-        const Real polar = portable::acos(std::clamp<Real>(D.y, -1, 1)); // 0 at the zenith .. pi
+        const Real longitude = portable::atan2(D.x, -D.z);                  // -pi .. pi
+        const Real polar = portable::atan2(portable::hypot(D.x, D.z), D.y); // 0 at the zenith .. pi
         return {Real(0.5) + longitude / (2 * PI), polar / PI};
         // END
     }

@@ -15,7 +15,9 @@ public:
     /// More spheres than this are searched through a hierarchy: tests/perf/README.md has the measurement.
     static constexpr std::size_t mostScanned = 16;
 
-    explicit SphereSearch(const std::vector<Sphere<Real>>& spheres, std::size_t most = mostScanned)
+    /// Spheres i with first[i] != i are there already, and left out; an empty `first` leaves none out.
+    explicit SphereSearch(const std::vector<Sphere<Real>>& spheres, std::size_t most = mostScanned,
+                          const std::vector<int>& first = {})
     {
         std::vector<BvhLeaf> groups;
         if (spheres.size() > most && areOrdinary(spheres))
@@ -41,7 +43,9 @@ public:
         for (std::size_t i = 0; i < groups.size(); ++i)
             for (int k = 0; k < lanes; ++k)
             {
-                const std::int32_t id = blocks[i].id[k] = groups[i][std::size_t(k)];
+                std::int32_t id = groups[i][std::size_t(k)];
+                if (id >= 0 && !first.empty() && first[std::size_t(id)] != id) id = -1;
+                blocks[i].id[k] = id;
                 const Sphere<Real> sphere = id < 0 ? Sphere<Real>{} : spheres[std::size_t(id)];
                 for (int axis = 0; axis < 3; ++axis) blocks[i].C[axis][k] = sphere.C[axis];
                 blocks[i].squaredRadius[k] = id < 0 ? -1 : Number(sphere.r) * Number(sphere.r);

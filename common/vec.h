@@ -45,15 +45,31 @@ template <std::floating_point Real>
     return scaled / std::sqrt(dot(scaled, scaled));
 }
 
+/// Has a square of v's length all its digits?
+template <std::floating_point Real>
+constexpr bool isPlainSquare(Real squared)
+{
+    using Limits = std::numeric_limits<Real>;
+    return squared >= Limits::min() / Limits::epsilon() && squared <= Limits::max();
+}
+
 /// The unit vector along v; the zero vector stays zero. glm::normalize gives NaN for a zero vector, and zero for vectors
 /// so long that their square overflows; here v is first scaled by a power of two, which costs no precision.
 template <std::floating_point Real>
 [[gnu::always_inline]] inline Vec3<Real> unit(const Vec3<Real>& v)
 {
-    using Limits = std::numeric_limits<Real>;
     const Real squared = dot(v, v);
-    if (squared >= Limits::min() / Limits::epsilon() && squared <= Limits::max()) return v / std::sqrt(squared);
+    if (isPlainSquare(squared)) return v / std::sqrt(squared);
     return unitOfExtreme(v);
+}
+
+/// The same; `instead` if v is zero.
+template <std::floating_point Real>
+[[gnu::always_inline]] inline Vec3<Real> unitOr(const Vec3<Real>& v, const Vec3<Real>& instead)
+{
+    const Real squared = dot(v, v);
+    if (isPlainSquare(squared)) return v / std::sqrt(squared);
+    return v == Vec3<Real>(0) ? instead : unitOfExtreme(v);
 }
 
 /// The largest of the three channels.

@@ -20,6 +20,7 @@ void printTree(const LessonEntry& lesson, const SceneDescription& scene, const L
 {
     RayTree tree = lesson.inspect(scene, options.precision(), probe(options, scene), &interrupted());
     tree.source = lesson.source;
+    if (const auto warning = firstContradiction(tree); !warning.empty()) std::cerr << warning << '\n';
     if (options.tree == "json") std::cout << toJson(tree);
     if (options.tree == "text" || (options.tree.empty() && !options.explain)) std::cout << toText(tree);
     if (options.explain) (options.tree == "json" ? std::cerr : std::cout) << explain(tree, scene, formulas);

@@ -902,6 +902,20 @@ TEST(Glass, WithinGlassMustSayWhatIsAroundIt)
                                        "material 'air' has ior_outside 1.5"});
 }
 
+TEST(SceneFile, WarnsOfASphereThatIsThereTwice)
+{
+    const auto warnings = [](double x) {
+        return parseScene(fmt::format("[materials.m]\n[[sphere]]\ncenter = [1, 0, 0]\nradius = 2\nmaterial = 'm'\n"
+                                      "[[sphere]]\ncenter = [{}, 0, 0]\nradius = 2\nmaterial = 'm'\n",
+                                      x),
+                          "twice.toml")
+            .warnings;
+    };
+    EXPECT_TRUE(warnings(1.5).empty());
+    EXPECT_EQ(warnings(1), std::vector<std::string>{
+                               "twice.toml: sphere1 has the centre and the radius of sphere0, and is never met"});
+}
+
 TEST(SceneFile, ANameWithAnEscapeByMistakeIsRefused)
 {
     EXPECT_EQ(errorOf("[materials.m]\n[[mesh]]\nfile = \"models\\bunny.obj\"\nmaterial = 'm'\n"),

@@ -203,6 +203,17 @@ TYPED_TEST(SkyOf, ADirectionThatRoundingMadeTooLongLiesInThePicture)
     expectAt<Real>(angularMap({0, eps<Real>, more}), Real(0.5), 0, 2 * eps<Real>, {0, eps<Real>, more});
 }
 
+TYPED_TEST(SkyOf, PlacesNearThePolesKeepTheirDigits)
+{
+    using Real = TypeParam;
+    constexpr auto pi = std::numbers::pi_v<long double>;
+    for (Real angle = Real(0.5); angle > eps<Real>; angle /= 3)
+    {
+        const Vec3<Real> D(std::sin(angle) * Real(0.6), std::cos(angle), std::sin(angle) * Real(0.8));
+        EXPECT_NEAR(double(SkyFormulas<Real>::latLong(D)[1] * pi / angle), 1, 8 * double(eps<Real>)) << double(angle);
+    }
+}
+
 // ---- pictures ------------------------------------------------------------------------------------------------------
 
 TYPED_TEST(SkyOf, ATexelsCentreHasItsValueExactly)

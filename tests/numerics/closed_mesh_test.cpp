@@ -70,13 +70,12 @@ Scene<Real> sceneOf(Triangles triangles, const V& at)
     return Scene<Real>(description);
 }
 
-/// A point on a side of one of the triangles, or so near it that only rounding tells them apart. Not at a corner: of a cube far
-/// off zero, a ray that hits a corner up to rounding may still get out in double.
+/// A point on a side of one of the triangles, or so near it that only rounding tells them apart; of each three one is at a corner.
 template <class Real>
 Vec3<Real> nearAnEdge(const Scene<Real>& scene, Random& random)
 {
     const auto& triangle = scene.triangles[std::size_t(random.in(0, double(scene.triangles.size())))];
-    const Real along = Real(random.in(0.01, 0.99));
+    const Real along = std::max(Real(0), Real(random.in(-0.5, 1)));
     const Vec3<Real> p = triangle.a + along * (triangle.b - triangle.a);
     const Real spacing = eps<Real> * (1 + largestChannel(abs(p)));
     return p + spacing * Vec3<Real>(random.vector(-4, 4));

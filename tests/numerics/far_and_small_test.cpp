@@ -225,6 +225,20 @@ TYPED_TEST(FarAndSmall, ASceneMovedAThousandRadiiLosesThreeDigitsAndNoMore)
     }
 }
 
+TEST(FarAndSmall, ASphereMetHeadOnFromAnywhereHasANormal)
+{
+    for (const double far : {1e7, 1e8, 1e9, 1e12})
+    {
+        SceneDescription description;
+        description.materials.push_back({});
+        description.spheres.push_back({V(0), 1, 0});
+        const Scene<float> scene(description);
+        const auto hit = scene.intersect({.O = {0, 0, float(far)}, .D = {0, 0, -1}});
+        ASSERT_TRUE(hit);
+        EXPECT_EQ(length(hit->N), 1) << far;
+    }
+}
+
 } // namespace
 
 } // namespace rt::numerics
