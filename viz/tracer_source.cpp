@@ -2,13 +2,11 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <sstream>
 
 #include <fmt/format.h>
 
 #include "common/interrupt.h"
 #include "common/process.h"
-#include "common/scene_text.h"
 
 namespace rt::viz
 {
@@ -71,28 +69,12 @@ Words operator+(Words words, const Words& more)
     return words;
 }
 
-/// The last lines of what a program said, as one line of printable letters.
-std::string lastWords(const std::string& err)
-{
-    constexpr std::size_t mostLines = 3, mostBytes = 100;
-    std::vector<std::string> lines;
-    std::istringstream in(err);
-    for (std::string line; std::getline(in, line);)
-        if (line.find_first_not_of(" \t\r") != std::string::npos) lines.push_back(onOneLine(line, mostBytes));
-    std::string words;
-    for (std::size_t i = lines.size() - std::min(lines.size(), mostLines); i < lines.size(); ++i)
-        words += (words.empty() ? "" : "; ") + lines[i];
-    return words;
-}
-
 std::string run(const std::string& title, const Words& words, const ProcessLimits& limits)
 {
     const auto result = runProcess(words, limits);
     if (result.stopped) return "";
-    if (result.ok()) return result.out;
-    // A program that crashes has often said why.
-    const auto said = result.exitCode < 0 && !result.tooMuchOutput ? lastWords(result.err) : "";
-    throw std::runtime_error(describeFailure(title, result) + (said.empty() ? "" : ": " + said));
+    if (!result.ok()) throw std::runtime_error(describeFailure(title, result));
+    return result.out;
 }
 
 } // namespace

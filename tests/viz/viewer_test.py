@@ -211,11 +211,6 @@ class Viewer(unittest.TestCase):
         self.assertIn("nodes[0].depth", self.refused("words.json", "--script", "next"))
         self.refused("absent.json", "--script", "next")
 
-    def test_the_last_words_of_a_tracer_that_crashes_are_told(self):
-        tracer = self.program("speaks", "echo chatter >&2; echo one >&2; echo two >&2; echo 'what(): no light' >&2; kill -ABRT $$\n")
-        error = self.refused(6, SCENE, "--tracer", tracer, "--script", "next")
-        self.assertIn("speaks crashed (aborted): one; two; what(): no light", error)
-
     def test_a_million_nodes_end_in_a_sentence_or_in_a_view(self):
         node = {"parent": -1, "kind": "camera", "depth": 0, "origin": [0, 0, 0], "direction": [0, 0, 1], "hit": None,
                 "weight": 1, "throughput": [1, 1, 1], "radiance": [0, 0, 0], "contribution": [0, 0, 0], "end": "miss"}
