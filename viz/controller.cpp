@@ -38,6 +38,11 @@ const char* name(Look look)
     return look == Look::dark ? "dark" : "light";
 }
 
+const char* name(Tone tone)
+{
+    return tone == Tone::trouble ? "trouble" : tone == Tone::waiting ? "waiting" : "done";
+}
+
 Controller::Controller(Session chosen) : session(std::move(chosen))
 {
     if (session.source.isSlow)
@@ -135,7 +140,7 @@ void Controller::traceTree()
         return;
     }
     tracer.start([asked = session](const std::atomic<bool>& stop) { return trace(asked, stop); });
-    say("waiting for " + (session.source.isSlow ? session.source : *session.other).title);
+    say("waiting for " + (session.source.isSlow ? session.source : *session.other).title, Tone::waiting);
 }
 
 /// The selection stays if the new tree has a ray of the same kind and depth in that place; a failure leaves the old tree.
@@ -394,10 +399,11 @@ void Controller::selectDifference()
     if (first.expectedNode >= 0) selectNode(first.expectedNode);
 }
 
-void Controller::say(const std::string& message)
+void Controller::say(const std::string& message, Tone as)
 {
-    if (message == said) return;
+    if (message == said && as == saidAs) return;
     said = message;
+    saidAs = as;
     notify(changedMessage);
 }
 

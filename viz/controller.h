@@ -58,6 +58,15 @@ enum class Look
 };
 const char* name(Look look); ///< "dark", "light"
 
+/// What kind of message is shown.
+enum class Tone
+{
+    trouble, ///< stays until it is cleared, or something is traced
+    waiting, ///< until the answer is there
+    done     ///< goes away by itself
+};
+const char* name(Tone tone); ///< "trouble", "waiting", "done"
+
 /// Two trees of the same probe.
 struct TreeComparison
 {
@@ -83,6 +92,8 @@ public:
     const RayTree& tree() const { return rays; }
     /// The chosen pixel; empty if a ray was given instead.
     std::optional<std::array<int, 2>> pixel() const;
+    /// Of each pixel of the picture. The tree is that of the first one, whose ray goes through the pixel's centre.
+    int samples() const { return session.render.spp; }
     int maxDepth() const { return session.scene.trace.maxDepth; }
     /// The greatest depth among the tree's nodes; 0 for an empty tree.
     int deepest() const;
@@ -121,11 +132,13 @@ public:
     bool canCompare() const { return session.other.has_value(); }
     const TreeSource& other() const { return *session.other; }
 
-    /// What went wrong, or is going on; empty: nothing. One sentence.
+    /// What went wrong, is going on or has been done; empty: nothing. One sentence.
     const std::string& message() const
     {
         return !said.empty() ? said : !treeProblem.empty() ? treeProblem : pictureProblem;
     }
+
+    Tone tone() const { return said.empty() ? Tone::trouble : saidAs; }
 
     /// Pixels outside the picture are moved to its edge.
     void choosePixel(int x, int y);
@@ -152,7 +165,7 @@ public:
     void toggleComparison();
     /// Goes to the node where the comparison found its first difference.
     void selectDifference();
-    void say(const std::string& message);
+    void say(const std::string& message, Tone as = Tone::trouble);
 
     /// Takes over what the background has finished; true while it is still at work. A window calls it now and then.
     bool poll();
@@ -184,6 +197,7 @@ private:
     double leastThroughput = 0;
     Look theme = Look::dark;
     std::string said, treeProblem, pictureProblem;
+    Tone saidAs = Tone::trouble;
     std::shared_ptr<CoarsePictures> coarse = std::make_shared<CoarsePictures>(); // of what is painted now
     Background<Image> painter;
     Background<Trees> tracer;

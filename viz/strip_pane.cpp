@@ -46,11 +46,11 @@ const std::vector<KeyHelp>& keyHelp()
         {"Space", "play", "play the steps, pause"},
         {"↑ ↓", "ray", "previous and next ray of the tree"},
         {"PgUp", "parent", "the ray that sent this one"},
-        {"⇧ ←↑↓→", "move pixel", "move the pixel; without ⇧ while the pointer is on the picture"},
+        {"⇧ ←↑↓→", "move pixel", "move the pixel"},
         {"[ ]", "depth", "MAXDEPTH one lower, one higher"},
         {"r", "fit scene", "show the whole scene and picture"},
         {"t", "fit rays", "show all rays of the tree, in space and in the graph"},
-        {"m", "enlarge", "the pane under the pointer takes all the room, and gives it back"},
+        {"m", "enlarge", "the pane that was clicked last takes all the room; again: the next one; Esc: all panes"},
         {"Home End", "", "before the first step, after the last"},
         {"g 12 ⏎", "", "go to ray 12"},
         {"1 2 3 4 5", "", "show or hide camera, reflected, transmitted, shadow rays lit and blocked"},
@@ -315,7 +315,7 @@ bool StripPane::paintLine(Canvas& canvas, double x, double y)
     {
         const auto first = message.substr(0, message.find('\n'));
         const Box box{x, y - height / 2, width, height};
-        const bool isCalm = message == notice || message.starts_with("waiting for ");
+        const bool isCalm = controller.tone() != Tone::trouble;
         const Rgba ink = isCalm ? color::accent : color::warning;
         canvas.roundedBox(box, canvas.px(6), mix(color::panel, ink, 0.16));
         const double cx = x + canvas.px(15), half = canvas.px(7);

@@ -21,8 +21,6 @@ public:
 
     /// The digits typed so far, to go to a ray by its number; empty: nobody types.
     std::optional<std::string> typed;
-    /// The message that is no warning.
-    std::string notice;
 
 private:
     /// Something to click.

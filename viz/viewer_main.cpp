@@ -180,7 +180,9 @@ void exportAndTell(const std::string& path, Controller& controller)
     std::string list;
     for (const auto& file : files) list += (list.empty() ? "" : ", ") + file;
     std::cerr << list << ": written\n";
-    controller.say(list + ": written");
+    // The window has one line for it.
+    controller.say(files.size() == 1 ? list + ": written" : fmt::format("{}: {} files written", path, files.size()),
+                   Tone::done);
 }
 
 /// A window that is made when it is first needed: exports and states need none.
@@ -196,7 +198,16 @@ public:
     {
         if (window) return *window;
         window = std::make_unique<Window>(controller, place, onScreen);
-        window->exportAll = [this] { exportAndTell("raytree-export", controller); };
+        window->exportAll = [this] {
+            try
+            {
+                exportAndTell("raytree-export", controller);
+            }
+            catch (const std::exception& error)
+            {
+                controller.say(error.what());
+            }
+        };
         return *window;
     }
 

@@ -281,14 +281,25 @@ class Clicks(unittest.TestCase):
         wait_for(lambda: self.screen.part(IMAGE) != coarse, "a coarse picture")
         self.assertEqual(viewer.quit()["max_depth"], 6)
 
-    def test_arrows_move_the_pixel_on_the_picture_and_with_shift_everywhere(self):
-        viewer = self.view(6, "--pixel", "300,200")
-        viewer.do("mousemove", 216, 208)
-        viewer.keys("Right", "Right", "Right", "Left", "Down", "Down", "Up")
-        viewer.do("mousemove", *NOWHERE)
-        viewer.keys("shift+Left", "shift+Down", "h")
-        state = viewer.quit()
-        self.assertEqual((state["pixel"], state["help"]), ([301, 202], True))
+    def test_what_a_key_does_does_not_depend_on_where_the_pointer_is(self):
+        keys = ["Home", "Right", "Right", "shift+Right", "shift+Right", "shift+Left", "shift+Down", "Home", "Right", "Right", "Down"]
+        states = []
+        for place in (216, 208), (700, 300), (1300, 300), (200, 600), NOWHERE, (700, HEIGHT - 20):
+            viewer = self.view(6, "--pixel", "300,200")
+            viewer.do("mousemove", *place)
+            viewer.keys(*keys, "m", "n")
+            states.append({**viewer.quit(), "hovered": None})
+        self.assertEqual((states[0]["pixel"], states[0]["step"]), ([301, 201], 2))
+        for state in states:
+            self.assertEqual(state, states[0])
+
+    def test_capital_letters_do_what_small_ones_do(self):
+        for way in (lambda key: f"shift+{key}"), (lambda key: key.upper()):
+            viewer = self.view()
+            viewer.keys(*map(way, "nlhc"))
+            state = viewer.quit()
+            self.assertEqual((state["normals"], state["look"], state["help"]), (False, "light", True))
+            self.assertIn("--compare", state["message"])
 
     def test_a_ray_that_is_not_there_is_told(self):
         viewer = self.view()
@@ -306,16 +317,20 @@ class Clicks(unittest.TestCase):
         self.assertEqual((state["selected"], state["comparison"]), (first["expected_node"], None))
         self.assertNotEqual(state["selected"], 0)
 
-    def test_a_pane_is_enlarged_and_given_back(self):
+    def test_panes_are_enlarged_one_after_the_other(self):
         viewer = self.view()
         first = self.rest(viewer)
-        for key in ("m", "Escape"):
-            viewer.do("mousemove", 1300, 500)
-            steady(self.screen, WHOLE)
-            self.changes(IMAGE, lambda: viewer.keys("m"), "the tree to be enlarged")
-            viewer.keys(key)
-            viewer.do("mousemove", *NOWHERE)
-            self.comes_back(WHOLE, first, f"key {key} to give all panes back")
+        middle = (1150, 100, 440, 600)  # shows another thing with each pane
+        for _ in range(6):
+            self.changes(middle, lambda: viewer.keys("m"), "the next pane")
+        viewer.keys("m")
+        self.comes_back(WHOLE, first, "all panes after the last one")
+        viewer.click(TREE[0] + 20, TREE[1] + TREE[3] - 20)  # an empty corner
+        tree = self.changes(SCENE, lambda: viewer.keys("m"), "the pane that was clicked")
+        viewer.keys("Escape")
+        viewer.do("mousemove", *NOWHERE)
+        self.comes_back(WHOLE, first, "key Escape to give all panes back")
+        self.assertNotEqual(tree, self.changes(SCENE, lambda: viewer.keys("m", "m"), "the pane after it"))
         viewer.quit()
 
     def test_keys_of_vtk_do_nothing(self):
@@ -352,7 +367,7 @@ class Clicks(unittest.TestCase):
         self.assertNotEqual(*shots)
         files = {path.suffix for path in (self.folder / "raytree-export").iterdir()}
         self.assertLessEqual({".json", ".vtp", ".glb", ".gltf", ".html"}, files)
-        self.assertIn("written", state["message"])
+        self.assertEqual((state["message"], state["tone"]), ("raytree-export: 6 files written", "done"))
         self.assertEqual([path for path in self.folder.rglob("*part*")], [])
 
     # The window
