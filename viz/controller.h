@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 
 #include "common/events.h"
 #include "common/scene_description.h"
@@ -18,6 +19,8 @@ namespace rt::viz
 struct Session
 {
     SceneDescription scene;
+    /// The scene anew, if its file has changed; throws one sentence. Empty: it does not change.
+    std::function<std::optional<SceneDescription>()> reread = {};
     TreeSource source;
     std::optional<TreeSource> other; ///< what `source` is compared with
     RenderOptions render;
@@ -36,7 +39,8 @@ enum Change : unsigned
     changedHover = 32,
     changedMessage = 64,
     changedPass = 128, ///< the picture, which is still coarse
-    changedAll = 255
+    changedAll = 255,
+    changedScene = 256 ///< beyond all the others: what is built of it takes long
 };
 
 /// What keys 1 to 5 show or hide.
@@ -115,6 +119,8 @@ public:
     bool isShadowReached(int shadow) const { return shadowAt[std::size_t(shadow)] <= steps; }
     bool isCappedReached(int capped) const { return cappedAt[std::size_t(capped)] <= steps; }
     bool isPlaying() const { return playing; }
+    /// Steps in a second.
+    double speed() const { return playSpeed; }
 
     // What is shown.
     bool showsNormals() const { return normals; }
@@ -140,7 +146,10 @@ public:
 
     Tone tone() const { return said.empty() ? Tone::trouble : saidAs; }
 
-    /// Pixels outside the picture are moved to its edge.
+    /// Takes over the scene's file if that has changed, and traces it. What is wrong with it becomes the message.
+    void reread();
+    /// Pixels outside the picture are moved to its edge. The same one is traced again if another program is asked: it may
+    /// answer otherwise now.
     void choosePixel(int x, int y);
     void movePixel(int dx, int dy);
     /// Ids that the tree does not have are ignored. A node that has not been reached is stepped to.
@@ -153,8 +162,10 @@ public:
     void stepTo(int step);
     void stepBy(int steps);
     void setPlaying(bool playing);
-    /// One step while playing; stops at the end.
-    void playOn();
+    /// Some steps while playing; stops at the end.
+    void playOn(int steps = 1);
+    /// Twice as fast, or half as fast, from a step in two seconds to 64 in one.
+    void playFaster(bool faster);
     /// Rays deeper than this are not traced. The tree is traced at once, the picture in the background, coarse first.
     void setMaxDepth(int depth);
     void setWeakest(double throughput);
@@ -195,6 +206,8 @@ private:
     bool stepping = false; // the user walks through the events, rather than looking at all of them
     std::array<bool, kinds> shown{true, true, true, true, true};
     double leastThroughput = 0;
+    double playSpeed = 2;
+    std::optional<int> chosenDepth; // by the user: it outlives what the file says
     Look theme = Look::dark;
     std::string said, treeProblem, pictureProblem;
     Tone saidAs = Tone::trouble;
@@ -205,7 +218,8 @@ private:
     bool asksOthers() const { return session.source.isSlow || (session.other && session.other->isSlow); }
     /// What it does needs nothing of the controller: it may run in another thread.
     static Trees trace(const Session& session, const std::atomic<bool>& stop);
-    void traceTree();
+    bool takeScene();
+    void traceTree(unsigned also = 0);
     void take(Trees&& trees);
     void indexEvents();
     void compare(const RayTree& other);

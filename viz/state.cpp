@@ -62,6 +62,7 @@ std::string stateJson(const Controller& controller)
         {"last_step", controller.lastStep()},
         {"event", eventJson(controller)},
         {"playing", controller.isPlaying()},
+        {"speed", controller.speed()},
         {"shown_nodes", shown},
         {"kinds", kindsShown},
         {"weakest", controller.weakest()},

@@ -21,6 +21,7 @@
 #include "viz/export.h"
 #include "viz/own_display.h"
 #include "viz/recording.h"
+#include "viz/scene_watch.h"
 #include "viz/script.h"
 #include "viz/state.h"
 #include "viz/tracer_source.h"
@@ -170,6 +171,11 @@ Session chooseSession(ViewerOptions options, std::string& problem)
         session.source = tracerSource(options.tracer);
     if (!options.compare.empty()) compareWith(session, options.compare, *lesson, options.precision());
     session.probe = probe(options, session.scene);
+    session.reread = watchScene(session.scene, [options, lesson] {
+        auto scene = loadScene(options);
+        if (options.tracer.empty()) checkModels(*lesson, scene, options.force);
+        return scene;
+    });
     return session;
 }
 

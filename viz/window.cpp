@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -18,9 +19,9 @@ namespace rt::viz
 namespace
 {
 
-constexpr auto stepTime = std::chrono::milliseconds(500); // while playing
 constexpr auto messageTime = std::chrono::seconds(6);
 constexpr unsigned long tickTime = 80; // milliseconds
+const double letterStep = std::pow(2, 0.25);
 constexpr std::size_t mostDigits = 7;
 constexpr PaneId panesInTurn[] = {PaneId::scene,   PaneId::tree,  PaneId::code,
                                   PaneId::numbers, PaneId::image, PaneId::chart};
@@ -55,6 +56,7 @@ Window::Window(Controller& shown, const WindowPlace& place, bool onScreen)
             part->SetInteractive(part == scene.renderer());
         }
     }
+    strip.typeKey = help.typeKey = [this](const std::string& name) { key(name, false); };
     layOut();
     controller.changed = [this](unsigned changes) { update(changes); };
     if (!onScreen)
@@ -95,7 +97,8 @@ void Window::layOut()
     laidOut = wishes();
     const Layout layout = layoutFor(width, height, laidOut);
     drawnScale = layout.scale;
-    for (std::size_t i = 0; i < panes.size(); ++i) panes[i]->place(layout.panes[i], width, height, layout.scale);
+    for (std::size_t i = 0; i < panes.size(); ++i)
+        panes[i]->place(layout.panes[i], width, height, layout.scaleOf(PaneId(i)));
     under = nullptr;
     drawOnly(panes);
 }
@@ -317,11 +320,13 @@ void Window::tick()
 {
     if (interrupted()) return interactor->TerminateApp();
     const auto now = Clock::now();
+    controller.reread();
     controller.poll();
-    if (controller.isPlaying() && now - lastStep >= stepTime)
+    const int due = int(std::chrono::duration<double>(now - lastStep).count() * controller.speed());
+    if (controller.isPlaying() && due > 0)
     {
         lastStep = now;
-        controller.playOn();
+        controller.playOn(due);
     }
     if (controller.tone() == Tone::done && now - saidAt >= messageTime) controller.say("");
 }
@@ -348,6 +353,10 @@ void Window::key(const std::string& asTyped, bool shift)
         lastStep = Clock::now();
         return controller.setPlaying(!controller.isPlaying());
     }
+    if (key == "comma") return controller.playFaster(false);
+    if (key == "period") return controller.playFaster(true);
+    if (key == "plus" || key == "equal" || key == "KP_Add") return setScale(scale * letterStep);
+    if (key == "minus" || key == "KP_Subtract") return setScale(scale / letterStep);
     if (key == "Prior") return controller.parentNode();
     if (key == "bracketleft") return controller.setMaxDepth(controller.maxDepth() - 1);
     if (key == "bracketright") return controller.setMaxDepth(controller.maxDepth() + 1);
@@ -383,6 +392,13 @@ void Window::key(const std::string& asTyped, bool shift)
         tree.fit();
         redraw({&scene, &tree});
     }
+}
+
+void Window::setScale(double wanted)
+{
+    scale = std::clamp(wanted, smallestScale, largestScale);
+    layOut();
+    redraw(panes);
 }
 
 /// This pane takes the place of all; `none`: all have theirs.

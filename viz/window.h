@@ -89,7 +89,7 @@ private:
     vtkSmartPointer<vtkRenderWindowInteractor> interactor;
     vtkNew<Style> style;
     int width, height;
-    double scale;          // that was asked for
+    double scale;          // that was asked for, or chosen since by + and -
     double drawnScale = 1; // what the window's size makes of it
     Look dressedFor;
     PaneId whole = PaneId::none;    // enlarged by the user
@@ -107,6 +107,7 @@ private:
     /// Draws only these panes; the pixels of the others stay.
     void redraw(const std::vector<Pane*>& some);
     void redrawIfAsked();
+    void setScale(double wanted);
     void enlarge(PaneId pane);
     void enlargeNext();
     void type(const std::string& key);

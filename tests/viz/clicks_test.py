@@ -18,6 +18,7 @@ import unittest
 from xscreen import HEIGHT, WIDTH, Screen, Viewer, missing, steady, wait_for
 
 PROGRAM = pathlib.Path(sys.argv.pop(1)).resolve()
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 # viz/layout.cpp at 1600x900: x, y, width, height.
 TITLE, STRIP = 46, 78
@@ -31,6 +32,7 @@ WHOLE = (0, 0, WIDTH, HEIGHT)
 NOWHERE = (700, 20)  # in the title, where nothing follows the pointer
 
 # viz/palette.cpp, the dark look.
+RAISED = (31, 40, 53)
 CAMERA, REFLECTED, TRANSMITTED, ACCENT = (86, 180, 233), (245, 159, 20), (32, 166, 76), (125, 211, 252)
 
 # Lesson 6 on its first scene: 640x480, a glass ball that splits the chosen pixel's ray again and again.
@@ -148,6 +150,34 @@ class Clicks(unittest.TestCase):
         state = viewer.quit()
         for got, expected in zip(state["pixel"], self.pixel_at(x, y)):
             self.assertAlmostEqual(got, expected, delta=2)
+
+    def test_a_changed_scene_is_one_for_the_view_and_for_programs(self):
+        lesson, file = PROGRAM.parent / "lesson06", self.folder / "mine.toml"
+        glass = (ROOT / "lessons/06_fresnel/scenes/half_and_glass.toml").read_text()
+        file.write_text(glass)
+        viewer = self.view(6, "mine.toml", "--compare", lesson)
+        first = self.rest(viewer, SCENE)
+        self.changes(BOTTOM, lambda: file.write_text("[[sphere\n"), "the word that it is no scene")
+        self.assertEqual(self.screen.part(SCENE), first)
+        self.changes(SCENE, lambda: file.write_text(glass.replace("radius = 1.0", "radius = 0.7")), "the scene in space")
+        self.rest(viewer)
+        state = viewer.quit()
+        self.assertEqual(state["comparison"]["nodes"], state["nodes"])
+        self.assertEqual((state["comparison"]["first_difference"], state["message"]), (None, ""))
+        self.assertEqual(state["nodes"], len(self.tree(6, "mine.toml")))
+
+    def test_the_view_is_fitted_when_a_slow_tree_comes(self):
+        views = []
+        for wait in 0, 4:
+            program = self.folder / "tracer"
+            program.write_text(f"#!/bin/sh\nsleep {wait}\ncat tree.json\n")
+            program.chmod(0o755)
+            self.tree(3)
+            viewer = self.view(3, "--tracer", program)
+            wait_for(lambda: self.screen.pixels_like(TREE, REFLECTED), "the tree")
+            views.append(self.rest(viewer, SCENE))
+            viewer.quit()
+        self.assertTrue(views[0] == views[1])
 
     def test_a_click_on_a_node_of_the_tree_selects_it(self):
         nodes = self.tree()
@@ -300,6 +330,71 @@ class Clicks(unittest.TestCase):
             state = viewer.quit()
             self.assertEqual((state["normals"], state["look"], state["help"]), (False, "light", True))
             self.assertIn("--compare", state["message"])
+
+    def caps(self):
+        """The key caps of the bottom row, as boxes from the left: runs of their colour in one row of pixels, above the letters."""
+        y = HEIGHT - STRIP * 3 // 8 + 8
+        return [run for run in runs(self.screen.pixels_like((600, y, WIDTH - 600, 1), RAISED)) if run[1] - run[0] > 8]
+
+    def test_key_caps_are_buttons(self):
+        viewer = self.view()
+        first = self.rest(viewer)
+        y = HEIGHT - STRIP // 4
+        for start, end in self.caps():
+            viewer.click((start + end) // 2, y)
+            viewer.do("mousemove", *NOWHERE)
+            if self.rest(viewer)[4 * WIDTH * 500:4 * WIDTH * 510] != first[4 * WIDTH * 500:4 * WIDTH * 510]:
+                break
+        else:
+            self.fail("no cap opened the help or did anything else")
+        viewer.keys("Escape")
+        for start, end in self.caps()[:5]:
+            viewer.click((start + end) // 2, y)
+        state = viewer.quit()
+        self.assertTrue(state["help"] or state["step"] != state["last_step"] or state["playing"], state)
+
+    def test_play_has_a_speed(self):
+        viewer = self.view()
+        viewer.keys("comma", *["period"] * 9, "comma")
+        state = viewer.quit()
+        self.assertEqual((state["speed"], state["message"], state["tone"]), (32, "plays 32 steps a second", "done"))
+
+    def test_letters_grow_and_shrink(self):
+        viewer = self.view()
+        first = self.rest(viewer)
+        self.changes(TREE, lambda: viewer.keys("plus"), "larger letters")
+        self.changes(TREE, lambda: viewer.keys("minus", "minus"), "smaller letters")
+        viewer.keys("plus")
+        self.comes_back(WHOLE, first, "the letters of the start")
+        viewer.quit()
+
+    def labels(self, colour):
+        """The middles of the plates of this colour in space, from the left."""
+        plates = []
+        for x, y in self.screen.pixels_like((SCENE[0], SCENE[1], SCENE[2], SCENE[3] - 60), colour):  # above the legend
+            for plate in plates:
+                if abs(plate[0] - x) < 30 and abs(plate[1] - y) < 24:
+                    plate[2].append((x, y))
+                    break
+            else:
+                plates.append((x, y, [(x, y)]))
+        found = [points for _, _, points in plates if len(points) > 120]
+        return sorted((sum(x for x, _ in points) // len(points), sum(y for _, y in points) // len(points)) for points in found)
+
+    def test_labels_in_space_can_be_clicked_and_stay_where_they_are(self):
+        viewer = self.view(3)
+        self.rest(viewer)
+        places, chosen = self.labels(REFLECTED), set()
+        self.assertEqual(len(places), 2)
+        viewer.quit()
+        for place in places:
+            viewer = self.view(3)
+            viewer.click(*place)
+            self.rest(viewer)
+            for (x, y), (x0, y0) in zip(self.labels(REFLECTED), places):
+                self.assertLess(abs(x - x0) + abs(y - y0), 4)
+            chosen.add(viewer.quit()["selected"])
+        self.assertEqual(chosen, {1, 2})
 
     def test_a_ray_that_is_not_there_is_told(self):
         viewer = self.view()
