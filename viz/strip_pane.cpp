@@ -51,7 +51,7 @@ const std::vector<KeyHelp>& keyHelp()
         {"[ ]", "depth", "MAXDEPTH one lower, one higher"},
         {"r", "fit scene", "show the whole scene and picture"},
         {"t", "fit rays", "fit the rays that are shown, in space and in the graph"},
-        {"m", "enlarge", "the pane that was clicked last takes all the room; again: the next one; Esc: all panes"},
+        {"m", "enlarge", "enlarge the pane clicked last; again: the next one; Esc: all panes"},
         {", .", "", "play slower, faster"},
         {"+ -", "", "larger letters, smaller ones"},
         {"Home End", "", "before the first step, after the last"},
