@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include <fmt/format.h>
 #include <vtkCallbackCommand.h>
@@ -11,6 +12,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include "common/program.h"
+#include "viz/pending_input.h"
 #include "viz/recording.h"
 
 namespace rt::viz
@@ -214,7 +216,11 @@ void Window::drawOnly(const std::vector<Pane*>& some)
 void Window::redraw(const std::vector<Pane*>& some)
 {
     if (!interactor) return;
-    drawOnly(some);
+    for (auto* pane : some)
+        if (std::find(late.begin(), late.end(), pane) == late.end()) late.push_back(pane);
+    // Keys that repeat, and the wheel, are faster than drawing: what they have done is drawn once.
+    if (isInputPending(window->GetGenericDisplayId())) return;
+    drawOnly(std::exchange(late, {}));
     window->Render();
     drawOnly(panes);
 }
@@ -320,6 +326,7 @@ void Window::tick()
 {
     if (interrupted()) return interactor->TerminateApp();
     const auto now = Clock::now();
+    if (!late.empty()) redraw({});
     controller.reread();
     controller.poll();
     const int due = int(std::chrono::duration<double>(now - lastStep).count() * controller.speed());

@@ -95,7 +95,8 @@ private:
     PaneId whole = PaneId::none;    // enlarged by the user
     PaneId clicked = PaneId::scene; // last: key m begins with it
     LayoutWishes laidOut;
-    Pane* under = nullptr; // the pointer
+    Pane* under = nullptr;   // the pointer
+    std::vector<Pane*> late; // to be drawn, but there was more to do first
     Clock::time_point lastStep, saidAt;
 
     LayoutWishes wishes() const;
