@@ -329,6 +329,7 @@ void Window::tick()
     if (!late.empty()) redraw({});
     controller.reread();
     controller.poll();
+    if (!controller.isPlaying()) lastStep = now; // the button, too, begins to play with the first step
     const int due = int(std::chrono::duration<double>(now - lastStep).count() * controller.speed());
     if (controller.isPlaying() && due > 0)
     {
