@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstring>
+#include <sstream>
 #include <stdexcept>
 #include <thread>
 
@@ -146,6 +147,20 @@ std::string firstLine(const std::string& text)
     return line;
 }
 
+/// Some lines at the end, as one: what a program says before it aborts is often two.
+std::string lastLines(const std::string& text)
+{
+    constexpr std::size_t most = 3;
+    std::vector<std::string> lines;
+    std::istringstream all(text);
+    for (std::string line; std::getline(all, line);)
+        if (auto words = firstLine(line); !words.empty()) lines.push_back(std::move(words));
+    std::string joined;
+    for (std::size_t i = lines.size() > most ? lines.size() - most : 0; i < lines.size(); ++i)
+        joined += (joined.empty() ? "" : "; ") + lines[i];
+    return joined;
+}
+
 } // namespace
 
 ProcessResult runProcess(const std::vector<std::string>& argv, const ProcessLimits& limits)
@@ -246,7 +261,11 @@ std::string describeFailure(const std::string& what, const ProcessResult& result
         return fmt::format("{} wrote more than {} to {}", what, sizeText(result.mostOutput),
                            result.out.size() < result.mostOutput ? "standard error" : "standard output");
     if (result.signal == SIGKILL) return what + " was killed from outside, perhaps for want of memory";
-    if (result.signal != 0) return fmt::format("{} crashed ({})", what, signalText(result.signal));
+    if (result.signal != 0)
+    {
+        const auto words = lastLines(result.err);
+        return fmt::format("{} crashed ({}){}{}", what, signalText(result.signal), words.empty() ? "" : ": ", words);
+    }
     if (result.exitCode < 0) return what + " ended, it is not known how";
     const auto reason = firstLine(result.err);
     return fmt::format("{} ended with code {}{}{}", what, result.exitCode, reason.empty() ? "" : ": ", reason);

@@ -41,7 +41,8 @@ ProcessResult runProcess(const std::vector<std::string>& argv, const ProcessLimi
 std::vector<std::string> splitCommand(const std::string& command);
 
 /// One sentence without a full stop: "exercise06 was stopped after 10 s without an answer", "exercise06 crashed
-/// (segmentation fault)", "exercise06 ended with code 2: bad scene" (the first line of its standard error). Empty if ok().
+/// (aborted): what(): no root" (the last lines of its standard error), "exercise06 ended with code 2: bad scene" (the first
+/// line). Empty if ok().
 std::string describeFailure(const std::string& what, const ProcessResult& result);
 
 } // namespace rt

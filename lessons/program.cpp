@@ -18,9 +18,14 @@ namespace
 void printTree(const LessonEntry& lesson, const SceneDescription& scene, const LessonOptions& options,
                const LectureFormulas& formulas)
 {
-    RayTree tree = lesson.inspect(scene, options.precision(), probe(options, scene), &interrupted());
+    const Probe chosen = probe(options, scene);
+    RayTree tree = lesson.inspect(scene, options.precision(), chosen, &interrupted());
     tree.source = lesson.source;
     if (const auto warning = firstContradiction(tree); !warning.empty()) std::cerr << warning << '\n';
+    const bool isOfPixel = std::holds_alternative<std::array<int, 2>>(chosen);
+    if (isOfPixel && options.spp > 1)
+        (options.tree == "json" ? std::cerr : std::cout) << fmt::format(
+            "the tree of the ray through the pixel's centre; the picture has the mean of {} samples\n", options.spp);
     if (options.tree == "json") std::cout << toJson(tree);
     if (options.tree == "text" || (options.tree.empty() && !options.explain)) std::cout << toText(tree);
     if (options.explain) (options.tree == "json" ? std::cerr : std::cout) << explain(tree, scene, formulas);

@@ -38,6 +38,11 @@ const char* name(Look look)
     return look == Look::dark ? "dark" : "light";
 }
 
+const char* name(Tone tone)
+{
+    return tone == Tone::trouble ? "trouble" : tone == Tone::waiting ? "waiting" : "done";
+}
+
 Controller::Controller(Session chosen) : session(std::move(chosen))
 {
     if (session.source.isSlow)
@@ -126,16 +131,24 @@ Controller::Trees Controller::trace(const Session& session, const std::atomic<bo
     return trees;
 }
 
-void Controller::traceTree()
+void Controller::traceTree(unsigned also)
 {
+    const unsigned changes = changedTree | changedNode | changedStep | also;
     if (!asksOthers())
     {
-        take(trace(session, interrupted()));
-        notify(changedTree | changedNode | changedStep);
+        Trees trees = trace(session, interrupted());
+        if ((also & changedScene) && !trees.failure.empty()) take({}); // the old tree is of a scene that is no more
+        take(std::move(trees));
+        notify(changes);
         return;
     }
+    if (also & changedScene)
+    {
+        take({});
+        notify(changes);
+    }
     tracer.start([asked = session](const std::atomic<bool>& stop) { return trace(asked, stop); });
-    say("waiting for " + (session.source.isSlow ? session.source : *session.other).title);
+    say("waiting for " + (session.source.isSlow ? session.source : *session.other).title, Tone::waiting);
 }
 
 /// The selection stays if the new tree has a ray of the same kind and depth in that place; a failure leaves the old tree.
@@ -189,15 +202,51 @@ void Controller::indexEvents()
     stepping = playing = false;
 }
 
+/// True if there is another scene now.
+bool Controller::takeScene()
+{
+    if (!session.reread) return false;
+    try
+    {
+        auto changed = session.reread();
+        if (!changed) return false;
+        session.scene = std::move(*changed);
+    }
+    catch (const std::exception& error)
+    {
+        say(error.what());
+        return false;
+    }
+    if (chosenDepth) session.scene.trace.maxDepth = *chosenDepth;
+    const auto& camera = session.scene.camera;
+    if (auto* chosen = std::get_if<std::array<int, 2>>(&session.probe))
+        *chosen = {std::clamp((*chosen)[0], 0, camera.width - 1), std::clamp((*chosen)[1], 0, camera.height - 1)};
+    paintPicture();
+    coarse->goOn();
+    return true;
+}
+
+void Controller::reread()
+{
+    if (takeScene()) traceTree(changedScene);
+}
+
 void Controller::choosePixel(int x, int y)
 {
+    const unsigned also = takeScene() ? changedScene : 0U;
     const auto& camera = session.scene.camera;
     const std::array<int, 2> chosen{std::clamp(x, 0, camera.width - 1), std::clamp(y, 0, camera.height - 1)};
-    if (pixel() == chosen) return;
-    if (session.source.isFixed)
+    const bool isSame = pixel() == chosen;
+    if (isSame && !also && !asksOthers()) return;
+    if (session.source.isFixed && !isSame)
         return say(session.source.title + " holds the tree of one pixel: no other can be chosen");
     session.probe = chosen;
-    traceTree();
+    if (isSame && !also && session.source.isSlow)
+    {
+        paintPicture();
+        coarse->goOn();
+    }
+    traceTree(also);
 }
 
 void Controller::movePixel(int dx, int dy)
@@ -264,10 +313,18 @@ void Controller::setPlaying(bool play)
     notify(changedOptions);
 }
 
-void Controller::playOn()
+void Controller::playFaster(bool faster)
+{
+    playSpeed = std::clamp(faster ? 2 * playSpeed : playSpeed / 2, 0.5, 64.0);
+    say(playSpeed < 1 ? "plays a step in 2 seconds"
+                      : "plays " + std::to_string(int(playSpeed)) + (playSpeed > 1 ? " steps" : " step") + " a second",
+        Tone::done);
+}
+
+void Controller::playOn(int count)
 {
     if (!playing) return;
-    stepBy(1);
+    stepBy(count);
     if (isComplete()) setPlaying(false);
 }
 
@@ -276,6 +333,7 @@ void Controller::setMaxDepth(int depth)
     depth = std::clamp(depth, 0, deepestCap);
     if (depth == maxDepth()) return;
     if (session.source.isFixed) return say(session.source.title + " holds a tree that is traced: its depth stays");
+    chosenDepth = depth;
     session.scene.trace.maxDepth = depth;
     paintPicture();
     const auto show = [this](std::chrono::milliseconds patience) {
@@ -394,10 +452,11 @@ void Controller::selectDifference()
     if (first.expectedNode >= 0) selectNode(first.expectedNode);
 }
 
-void Controller::say(const std::string& message)
+void Controller::say(const std::string& message, Tone as)
 {
-    if (message == said) return;
+    if (message == said && as == saidAs) return;
     said = message;
+    saidAs = as;
     notify(changedMessage);
 }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 
 #include "common/events.h"
 #include "common/scene_description.h"
@@ -18,6 +19,8 @@ namespace rt::viz
 struct Session
 {
     SceneDescription scene;
+    /// The scene anew, if its file has changed; throws one sentence. Empty: it does not change.
+    std::function<std::optional<SceneDescription>()> reread = {};
     TreeSource source;
     std::optional<TreeSource> other; ///< what `source` is compared with
     RenderOptions render;
@@ -36,7 +39,8 @@ enum Change : unsigned
     changedHover = 32,
     changedMessage = 64,
     changedPass = 128, ///< the picture, which is still coarse
-    changedAll = 255
+    changedAll = 255,
+    changedScene = 256 ///< beyond all the others: what is built of it takes long
 };
 
 /// What keys 1 to 5 show or hide.
@@ -57,6 +61,15 @@ enum class Look
     light
 };
 const char* name(Look look); ///< "dark", "light"
+
+/// What kind of message is shown.
+enum class Tone
+{
+    trouble, ///< stays until it is cleared, or something is traced
+    waiting, ///< until the answer is there
+    done     ///< goes away by itself
+};
+const char* name(Tone tone); ///< "trouble", "waiting", "done"
 
 /// Two trees of the same probe.
 struct TreeComparison
@@ -83,6 +96,8 @@ public:
     const RayTree& tree() const { return rays; }
     /// The chosen pixel; empty if a ray was given instead.
     std::optional<std::array<int, 2>> pixel() const;
+    /// Of each pixel of the picture. The tree is that of the first one, whose ray goes through the pixel's centre.
+    int samples() const { return session.render.spp; }
     int maxDepth() const { return session.scene.trace.maxDepth; }
     /// The greatest depth among the tree's nodes; 0 for an empty tree.
     int deepest() const;
@@ -104,6 +119,8 @@ public:
     bool isShadowReached(int shadow) const { return shadowAt[std::size_t(shadow)] <= steps; }
     bool isCappedReached(int capped) const { return cappedAt[std::size_t(capped)] <= steps; }
     bool isPlaying() const { return playing; }
+    /// Steps in a second.
+    double speed() const { return playSpeed; }
 
     // What is shown.
     bool showsNormals() const { return normals; }
@@ -121,13 +138,18 @@ public:
     bool canCompare() const { return session.other.has_value(); }
     const TreeSource& other() const { return *session.other; }
 
-    /// What went wrong, or is going on; empty: nothing. One sentence.
+    /// What went wrong, is going on or has been done; empty: nothing. One sentence.
     const std::string& message() const
     {
         return !said.empty() ? said : !treeProblem.empty() ? treeProblem : pictureProblem;
     }
 
-    /// Pixels outside the picture are moved to its edge.
+    Tone tone() const { return said.empty() ? Tone::trouble : saidAs; }
+
+    /// Takes over the scene's file if that has changed, and traces it. What is wrong with it becomes the message.
+    void reread();
+    /// Pixels outside the picture are moved to its edge. The same one is traced again if another program is asked: it may
+    /// answer otherwise now.
     void choosePixel(int x, int y);
     void movePixel(int dx, int dy);
     /// Ids that the tree does not have are ignored. A node that has not been reached is stepped to.
@@ -140,8 +162,10 @@ public:
     void stepTo(int step);
     void stepBy(int steps);
     void setPlaying(bool playing);
-    /// One step while playing; stops at the end.
-    void playOn();
+    /// Some steps while playing; stops at the end.
+    void playOn(int steps = 1);
+    /// Twice as fast, or half as fast, from a step in two seconds to 64 in one.
+    void playFaster(bool faster);
     /// Rays deeper than this are not traced. The tree is traced at once, the picture in the background, coarse first.
     void setMaxDepth(int depth);
     void setWeakest(double throughput);
@@ -152,7 +176,7 @@ public:
     void toggleComparison();
     /// Goes to the node where the comparison found its first difference.
     void selectDifference();
-    void say(const std::string& message);
+    void say(const std::string& message, Tone as = Tone::trouble);
 
     /// Takes over what the background has finished; true while it is still at work. A window calls it now and then.
     bool poll();
@@ -182,8 +206,11 @@ private:
     bool stepping = false; // the user walks through the events, rather than looking at all of them
     std::array<bool, kinds> shown{true, true, true, true, true};
     double leastThroughput = 0;
+    double playSpeed = 2;
+    std::optional<int> chosenDepth; // by the user: it outlives what the file says
     Look theme = Look::dark;
     std::string said, treeProblem, pictureProblem;
+    Tone saidAs = Tone::trouble;
     std::shared_ptr<CoarsePictures> coarse = std::make_shared<CoarsePictures>(); // of what is painted now
     Background<Image> painter;
     Background<Trees> tracer;
@@ -191,7 +218,8 @@ private:
     bool asksOthers() const { return session.source.isSlow || (session.other && session.other->isSlow); }
     /// What it does needs nothing of the controller: it may run in another thread.
     static Trees trace(const Session& session, const std::atomic<bool>& stop);
-    void traceTree();
+    bool takeScene();
+    void traceTree(unsigned also = 0);
     void take(Trees&& trees);
     void indexEvents();
     void compare(const RayTree& other);

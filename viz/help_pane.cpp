@@ -8,14 +8,20 @@
 namespace rt::viz
 {
 
-bool HelpPane::click(int, int)
+bool HelpPane::click(int x, int y)
 {
+    const auto hit = std::find_if(caps.begin(), caps.end(), [&](const Cap& cap) {
+        return x >= cap.box.x && y >= cap.box.y && x < cap.box.x + cap.box.width && y < cap.box.y + cap.box.height;
+    });
+    const auto key = hit == caps.end() ? std::string() : hit->key;
     controller.toggleHelp();
+    if (!key.empty() && key != "h" && key != "Escape") typeKey(key);
     return false;
 }
 
 void HelpPane::paint(Canvas& canvas)
 {
+    caps.clear();
     const auto& help = keyHelp();
     const double pad = canvas.px(40), keys = canvas.px(150);
     double widest = 0;
@@ -39,7 +45,11 @@ void HelpPane::paint(Canvas& canvas)
         std::istringstream words(help[i].keys);
         for (std::string key; words >> key;)
             if (row >= canvas.px(22))
+            {
+                if (const auto name = keyOfCap(key); !name.empty())
+                    caps.push_back({capBox(canvas, x, y, key, std::min(size, 13.0)), name});
                 x = drawKey(canvas, x, y, key, std::min(size, 13.0)) + canvas.px(4);
+            }
             else
                 x += canvas.text(x, y, key, {Font::bold, size, color::accent}) + canvas.px(7);
         canvas.textWithin(start + keys, y, area.width - start - keys - canvas.px(12), help[i].what,

@@ -13,7 +13,17 @@ public:
     bool update(unsigned) override { return false; }
     bool click(int x, int y) override;
 
+    /// Does what a key does, as StripPane::typeKey.
+    std::function<void(const std::string& key)> typeKey;
+
 private:
+    struct Cap
+    {
+        Box box;
+        std::string key;
+    };
+    std::vector<Cap> caps;
+
     void paint(Canvas& canvas) override;
 };
 

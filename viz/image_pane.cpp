@@ -33,7 +33,7 @@ void ImagePane::dress()
 
 bool ImagePane::update(unsigned changes)
 {
-    if (changes & (changedPicture | changedPass))
+    if (changes & (changedPicture | changedPass | changedScene))
     {
         picture = shownPicture(controller);
         if (isPlaced()) placed();

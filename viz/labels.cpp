@@ -68,8 +68,18 @@ std::vector<std::optional<Box>> placeLabels(const std::vector<LabelRequest>& req
     const double edge = 2 * scale;
     std::vector<std::optional<Box>> places(requests.size());
     std::vector<Box> used = taken;
+    const auto isFree = [&](const Box& box) {
+        return std::none_of(used.begin(), used.end(), [&](const Box& other) { return box.overlaps(other, 3 * scale); });
+    };
+    for (const auto index : order)
+        if (const auto& kept = requests[index].kept; kept && isFree(*kept))
+        {
+            places[index] = kept;
+            used.push_back(*kept);
+        }
     for (const auto index : order)
     {
+        if (places[index]) continue;
         const auto& request = requests[index];
         std::optional<Box> best;
         int fewest = 1 << 20;
@@ -77,8 +87,7 @@ std::vector<std::optional<Box>> placeLabels(const std::vector<LabelRequest>& req
         {
             if (box.x < edge || box.y < edge || box.x + box.width > width - edge || box.y + box.height > height - edge)
                 continue;
-            if (std::any_of(used.begin(), used.end(), [&](const Box& other) { return box.overlaps(other, 3 * scale); }))
-                continue;
+            if (!isFree(box)) continue;
             int crossed = 0;
             for (std::size_t i = 0; i < lines.size(); ++i)
                 if (int(i) != request.line) crossed += crosses(lines[i], box, scale);

@@ -22,9 +22,10 @@ struct LabelRequest
 {
     std::vector<vec2> anchors; ///< what it names, best first: it is put beside one of them
     double width = 0, height = 0;
-    double gap = 6;   ///< distance from the anchor
-    int priority = 0; ///< higher ones choose first
-    int line = -1;    ///< of this one of the lines: it may lie on it, and does so best
+    double gap = 6;            ///< distance from the anchor
+    int priority = 0;          ///< higher ones choose first
+    int line = -1;             ///< of this one of the lines: it may lie on it, and does so best
+    std::optional<Box> kept{}; ///< where it was: there it stays if that is free, and comes before all that is new
 };
 
 /// A box for each label, or none where everything near its anchors is taken. Labels stay within width x height and keep

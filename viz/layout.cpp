@@ -49,6 +49,10 @@ Layout layoutFor(int width, int height, const LayoutWishes& wishes)
     if (wishes.whole != PaneId::none && place(wishes.whole).isEmpty())
     {
         place(wishes.whole) = rest;
+        layout.whole = wishes.whole;
+        // In a window that is too small for all panes there is no room for larger letters.
+        const double room = std::min(width / (widthForAll * wishes.scale), height / (heightForAll * wishes.scale));
+        layout.wholeScale = layout.scale * (wishes.whole == PaneId::help ? 1 : std::clamp(room, 1.0, 1.5));
         return layout;
     }
     const bool isSmall = width < widthForAll * wishes.scale || height < heightForAll * wishes.scale;

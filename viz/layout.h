@@ -32,7 +32,10 @@ struct Layout
 {
     double scale = 1; ///< of text, spacing and lines: it follows the size of the window, too
     Rect panes[panesInAll];
+    PaneId whole = PaneId::none; ///< this one takes all the room
+    double wholeScale = 1;       ///< and has larger letters
 
+    double scaleOf(PaneId pane) const { return pane == whole ? wholeScale : scale; }
     const Rect& operator[](PaneId pane) const { return panes[int(pane)]; }
 };
 

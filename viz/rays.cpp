@@ -177,7 +177,7 @@ std::string labelOf(const Segment& segment)
     if (segment.role == RayRole::reflected) letter = "R";
     if (segment.role == RayRole::transmitted) letter = "T";
     if (segment.role == RayRole::normal) letter = "N";
-    return letter + subscript(segment.node);
+    return letter + subscript(*letter == 'L' ? segment.light : segment.node);
 }
 
 } // namespace rt::viz

@@ -59,7 +59,7 @@ double lightRadius(const RayDrawing& drawing);
 /// The ends of all segments. Without lights: only the first part of the way to them.
 std::vector<vec3> rayPoints(const RayDrawing& drawing, bool withLights);
 
-/// "D₀", "R₁", "T₂", "L₁", "N₁": the lecture's letter and the node's number.
+/// "D₀", "R₁", "T₂", "N₁": the lecture's letter and the node's number; "L₁": the shadow ray to light 1.
 std::string labelOf(const Segment& segment);
 std::string subscript(int number);
 

@@ -23,7 +23,8 @@ std::string tidyRecording(const std::string& recording, const WindowPlace& windo
     for (std::string line; std::getline(lines, line);)
     {
         const bool isKey = line.starts_with("Key") || line.starts_with("Char");
-        if (line.starts_with("TimerEvent") || line.starts_with("RenderEvent")) continue;
+        if (line.starts_with("TimerEvent") || line.starts_with("RenderEvent") || line.starts_with("ExitEvent"))
+            continue;
         if (isKey && (line.ends_with(" q") || line.ends_with(" Q"))) continue;
         kept += line + "\n";
         if (line.starts_with("# StreamVersion"))

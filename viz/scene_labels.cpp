@@ -19,6 +19,8 @@ constexpr int mostRayLabels = 24;
 struct Label
 {
     std::string text;
+    std::string key; // it is the same label as before if this is the same
+    int node = -1;
     TextLook look;
     Rgba plate{0, 0, 0, 0};
     bool outlined = false;
@@ -45,10 +47,21 @@ public:
         addRays();
         addObjects();
         std::vector<LabelRequest> requests;
-        for (const auto& label : labels) requests.push_back(label.request);
+        auto& memory = input.labels.places;
+        for (auto& [key, place] : memory) place.isShown = false;
+        for (const auto& label : labels)
+        {
+            requests.push_back(label.request);
+            if (const auto before = memory.find(label.key); before != memory.end())
+                requests.back().kept = before->second.box;
+        }
         const auto places = placeLabels(requests, input.width, input.height, lines, taken, canvas.hair());
         for (std::size_t i = 0; i < labels.size(); ++i)
-            if (places[i]) draw(labels[i], *places[i]);
+            if (places[i])
+            {
+                memory[labels[i].key] = {*places[i], labels[i].node, true};
+                draw(labels[i], *places[i]);
+            }
     }
 
 private:
@@ -74,13 +87,20 @@ private:
 
     Label& add(const std::string& text, const TextLook& look, int priority)
     {
-        Label label{text, look, {0, 0, 0, 0}, false, {}};
+        Label label{text, text, -1, look, {0, 0, 0, 0}, false, {}};
         label.request.width = canvas.textWidth(text, look) + canvas.px(11);
         label.request.height = canvas.px(look.size + 6);
         label.request.gap = canvas.px(7);
         label.request.priority = priority;
         labels.push_back(std::move(label));
         return labels.back();
+    }
+
+    static void name(Label& label, const Segment& segment)
+    {
+        label.node = segment.node;
+        label.key =
+            fmt::format("{}/{}/{}/{}/{}", label.text, int(segment.role), segment.node, segment.shadow, segment.capped);
     }
 
     void addLights()
@@ -142,6 +162,7 @@ private:
             {
                 auto& label = add(segment.stopped == End::cutoff ? "cutoff" : "MAXDEPTH", {Font::bold, 11, kind},
                                   chosen ? 95 : 40);
+                name(label, segment);
                 label.plate = color::dark.withAlpha(0.6);
                 label.request.anchors = {line[1], line[0]};
                 continue;
@@ -149,6 +170,7 @@ private:
             const bool main = isRay(segment.role);
             auto& label = add(labelOf(segment), {Font::bold, main ? 13.0 : 12.0, main ? color::dark : kind},
                               (chosen ? 100 : 50) + (main ? 20 : 0) - std::min(segment.node, 30));
+            name(label, segment);
             label.plate = main ? kind : color::dark.withAlpha(0.6);
             label.outlined = chosen && main && input.drawing.nodes > 1;
             label.request.anchors = alongSegment(line, input.width, input.height);
@@ -202,6 +224,18 @@ private:
 };
 
 } // namespace
+
+int LabelPlaces::nodeAt(const vec2& point) const
+{
+    for (const auto& [key, place] : places)
+    {
+        const auto& box = place.box;
+        if (place.isShown && place.node >= 0 && point[0] >= box.x && point[1] >= box.y &&
+            point[0] < box.x + box.width && point[1] < box.y + box.height)
+            return place.node;
+    }
+    return -1;
+}
 
 void paintLabels(Canvas& canvas, const OverlayInput& input, const std::vector<Box>& taken)
 {

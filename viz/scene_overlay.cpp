@@ -145,7 +145,8 @@ Box drawAxes(Canvas& canvas, const OverlayInput& input)
 
 void paintSceneOverlay(Canvas& canvas, const OverlayInput& input)
 {
-    std::vector<Box> taken{drawLegend(canvas, input), drawAxes(canvas, input)};
+    input.labels.legend = drawLegend(canvas, input);
+    std::vector<Box> taken{input.labels.legend, drawAxes(canvas, input)};
     if (const auto all = input.controller.tree().nodes.size(); std::size_t(input.drawing.nodes) < all)
     {
         const auto note = fmt::format("{} of {} rays are drawn", input.drawing.nodes, all);

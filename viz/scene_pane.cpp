@@ -54,13 +54,20 @@ vtkSmartPointer<vtkActor> glowActor(const SceneDescription& scene, double radius
 
 } // namespace
 
-ScenePane::ScenePane(Controller& watched) : Pane(watched), objects(extentOf(watched.scene(), watched.tree()))
+ScenePane::ScenePane(Controller& watched) : Pane(watched)
+{
+    renderer()->GradientBackgroundOn();
+    dress();
+    renderer()->SetUseFXAA(true);
+    build();
+}
+
+void ScenePane::build()
 {
     auto* view = renderer();
-    view->GradientBackgroundOn();
-    dress();
-    view->SetUseFXAA(true);
-
+    view->RemoveAllViewProps();
+    front->RemoveAllViewProps();
+    objects = extentOf(controller.scene(), controller.tree());
     screen = imagePlane(controller.scene().camera, objects);
     drawing = drawRays(controller.tree(), controller.scene(), objects);
     buildObjects();
@@ -252,10 +259,18 @@ bool ScenePane::update(unsigned changes)
 {
     // The pane is slow to draw: a coarse picture is shown here only if there is something else to draw.
     if ((changes & changedPicture) || ((changes & changedPass) && (changes & changedTree))) updatePicture();
+    if (changes & changedScene)
+    {
+        build();
+        renderer()->ResetCameraClippingRange();
+        return true;
+    }
+    if (changes & changedTree) labels.places.clear();
     if (changes & changedTree) drawing = drawRays(controller.tree(), controller.scene(), objects);
     if (!(changes & ~(changedPicture | changedPass | changedHover | changedMessage)))
         return (changes & changedPicture) != 0;
     rebuildRays();
+    if ((changes & changedTree) && isPlaced() && isFittedWithoutRays && drawing.nodes > 0) fitScene();
     renderer()->ResetCameraClippingRange();
     return true;
 }
@@ -269,6 +284,7 @@ void ScenePane::placed()
 void ScenePane::fitScene()
 {
     isFitted = true;
+    isFittedWithoutRays = drawing.nodes == 0;
     const vec3 towards = bestDirection(drawing, controller.scene()), up = controller.scene().camera.up;
     const View all = fitView(shownPoints(true), towards, up, aspect());
     const View close = fitView(shownPoints(false), towards, up, aspect());
@@ -277,19 +293,20 @@ void ScenePane::fitScene()
     look(distance(all) > 1.2 * distance(close) ? close : all);
 }
 
+/// What is shown now, into what the legend leaves free.
 void ScenePane::fitRays()
 {
-    auto points = rayPoints(drawing, false);
-    const bool hasHit = !controller.tree().nodes.empty() && controller.tree().nodes[0].hit;
-    std::erase_if(points, [&](const vec3& p) {
-        return (hasHit && p == screen.eye) || !(glm::length(p - objects.centre) < 12 * objects.radius);
-    });
+    auto points = rayPoints(visible, true);
+    std::erase_if(points, [&](const vec3& p) { return !(glm::length(p - objects.centre) < 12 * objects.radius); });
+    if (points.empty()) return fitScene();
     // Not closer than a part of the objects is large.
     const Extent rays = around(points, objects);
     for (const vec3& axis : {vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1)})
         for (const double sign : {-0.4, 0.4}) points.push_back(rays.centre + sign * objects.radius * axis);
     const View now = view();
-    look(fitView(points, unit(now.position - now.focal), controller.scene().camera.up, aspect()));
+    Margins margins;
+    margins.bottom = std::clamp((labels.legend.y + labels.legend.height) / area.height + 0.03, margins.bottom, 0.4);
+    look(fitView(points, unit(now.position - now.focal), controller.scene().camera.up, aspect(), margins));
 }
 
 void ScenePane::look(const View& view)
@@ -331,6 +348,7 @@ void ScenePane::viewChanged()
 
 bool ScenePane::wheel(int, int, bool forward)
 {
+    isFittedWithoutRays = false;
     renderer()->GetActiveCamera()->Dolly(forward ? 1.15 : 1 / 1.15);
     viewChanged();
     return true;
@@ -343,14 +361,28 @@ View ScenePane::view()
     return {{p[0], p[1], p[2]}, {f[0], f[1], f[2]}, {u[0], u[1], u[2]}, camera->GetViewAngle()};
 }
 
+/// All that decides where a point of space lies in the pane.
+std::array<double, 13> ScenePane::seenFrom()
+{
+    const auto [p, f, u, angle] = view();
+    return {p.x, p.y, p.z, f.x, f.y, f.z, u.x, u.y, u.z, angle, double(area.width), double(area.height), scale};
+}
+
 void ScenePane::setMoving(bool moving)
 {
     renderer()->SetUseFXAA(!moving);
+    isFittedWithoutRays = false;
 }
 
 bool ScenePane::click(int x, int y)
 {
     const Projector projector(view(), area.width, area.height);
+    // Labels lie above all rays.
+    if (const int named = labels.nodeAt({x + 0.5, y + 0.5}); named >= 0)
+    {
+        controller.selectNode(named);
+        return false;
+    }
     const int found = pickSegment(visible, projector, {x + 0.5, y + 0.5}, 10 * scale);
     if (found >= 0) controller.selectNode(visible.segments[std::size_t(found)].node);
     return false;
@@ -358,7 +390,10 @@ bool ScenePane::click(int x, int y)
 
 void ScenePane::paint(Canvas& canvas)
 {
-    paintSceneOverlay(canvas, {controller, visible, objects, view(), area.width, area.height});
+    const std::array<double, 13> seen = seenFrom();
+    if (seen != labelledFrom) labels.places.clear();
+    labelledFrom = seen;
+    paintSceneOverlay(canvas, {controller, visible, objects, view(), area.width, area.height, labels});
 }
 
 } // namespace rt::viz

@@ -7,6 +7,7 @@
 #include "viz/pane.h"
 #include "viz/planes.h"
 #include "viz/rays.h"
+#include "viz/scene_overlay.h"
 #include "viz/view.h"
 
 namespace rt::viz
@@ -32,16 +33,20 @@ public:
 
 private:
     Extent objects;
-    bool isFitted = false; // the view has been chosen
-    double lineWidth = 1;  // factor; less than 1 when the viewer is near, more when he is far away
-    RayDrawing drawing;    // of the whole tree
-    RayDrawing visible;    // of the part that is to be seen now
+    bool isFitted = false;            // the view has been chosen
+    bool isFittedWithoutRays = false; // and neither were there rays then, nor has the user turned it since
+    double lineWidth = 1;             // factor; less than 1 when the viewer is near, more when he is far away
+    RayDrawing drawing;               // of the whole tree
+    RayDrawing visible;               // of the part that is to be seen now
     ImagePlane screen;
+    LabelPlaces labels;
+    std::array<double, 13> labelledFrom{};
     vtkNew<vtkRenderer> front; // what shines through whatever hides it, and the labels
     vtkSmartPointer<vtkActor> solidRays, fadingRays, glow, hiddenRays, frustum, picture, chosenPixel;
 
     void paint(Canvas& canvas) override;
     void placed() override;
+    void build();
     void buildObjects();
     void buildPlanes(const Extent& shown);
     void buildLights();
@@ -54,6 +59,7 @@ private:
     double fittingLineWidth();
     void setLineWidth(double factor);
     View view();
+    std::array<double, 13> seenFrom();
     double aspect() const { return double(area.width) / area.height; }
 };
 

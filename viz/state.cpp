@@ -52,6 +52,7 @@ std::string stateJson(const Controller& controller)
         {"source", controller.source().title},
         {"scene", controller.scene().file},
         {"pixel", controller.pixel() ? OrderedJson(*controller.pixel()) : OrderedJson(nullptr)},
+        {"samples", controller.samples()},
         {"max_depth", controller.maxDepth()},
         {"nodes", tree.nodes.size()},
         {"radiance", tree.nodes.empty() ? OrderedJson(nullptr) : triple(tree.nodes[0].radiance)},
@@ -61,6 +62,7 @@ std::string stateJson(const Controller& controller)
         {"last_step", controller.lastStep()},
         {"event", eventJson(controller)},
         {"playing", controller.isPlaying()},
+        {"speed", controller.speed()},
         {"shown_nodes", shown},
         {"kinds", kindsShown},
         {"weakest", controller.weakest()},
@@ -68,7 +70,8 @@ std::string stateJson(const Controller& controller)
         {"help", controller.showsHelp()},
         {"look", name(controller.look())},
         {"comparison", comparisonJson(controller)},
-        {"message", controller.message()}};
+        {"message", controller.message()},
+        {"tone", controller.message().empty() ? OrderedJson(nullptr) : OrderedJson(name(controller.tone()))}};
     return state.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 

@@ -1,6 +1,7 @@
 #include "viz/strip_pane.h"
 
 #include <algorithm>
+#include <map>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -46,11 +47,13 @@ const std::vector<KeyHelp>& keyHelp()
         {"Space", "play", "play the steps, pause"},
         {"↑ ↓", "ray", "previous and next ray of the tree"},
         {"PgUp", "parent", "the ray that sent this one"},
-        {"⇧ ←↑↓→", "move pixel", "move the pixel; without ⇧ while the pointer is on the picture"},
+        {"⇧ ←↑↓→", "move pixel", "move the pixel"},
         {"[ ]", "depth", "MAXDEPTH one lower, one higher"},
         {"r", "fit scene", "show the whole scene and picture"},
-        {"t", "fit rays", "show all rays of the tree, in space and in the graph"},
-        {"m", "enlarge", "the pane under the pointer takes all the room, and gives it back"},
+        {"t", "fit rays", "fit the rays that are shown, in space and in the graph"},
+        {"m", "enlarge", "enlarge the pane clicked last; again: the next one; Esc: all panes"},
+        {", .", "", "play slower, faster"},
+        {"+ -", "", "larger letters, smaller ones"},
         {"Home End", "", "before the first step, after the last"},
         {"g 12 ⏎", "", "go to ray 12"},
         {"1 2 3 4 5", "", "show or hide camera, reflected, transmitted, shadow rays lit and blocked"},
@@ -67,13 +70,30 @@ const std::vector<KeyHelp>& keyHelp()
     return help;
 }
 
-double drawKey(Canvas& canvas, double x, double y, const std::string& key, double size)
+std::string keyOfCap(const std::string& cap)
 {
-    const TextLook look{Font::sans, size, color::text};
-    const double width = canvas.textWidth(key, look) + canvas.px(11), height = canvas.px(size + 7);
-    canvas.roundedBox({x, y - height / 2, width, height}, canvas.px(4), color::panelRaised);
-    canvas.text(x + canvas.px(5.5), y, key, look);
-    return x + width;
+    static const std::map<std::string, std::string> names{
+        {"←", "Left"},      {"→", "Right"},    {"↑", "Up"},          {"↓", "Down"},
+        {"Space", "space"}, {"PgUp", "Prior"}, {"[", "bracketleft"}, {"]", "bracketright"},
+        {",", "comma"},     {".", "period"},   {"+", "plus"},        {"-", "minus"},
+        {"Home", "Home"},   {"End", "End"},    {"Esc", "Escape"},    {"F12", "F12"}};
+    if (const auto found = names.find(cap); found != names.end()) return found->second;
+    return cap.size() == 1 ? cap : "";
+}
+
+Box capBox(Canvas& canvas, double x, double y, const std::string& cap, double size)
+{
+    const double height = canvas.px(size + 7);
+    return {x, y - height / 2, canvas.textWidth(cap, {Font::sans, size, {}}) + canvas.px(11), height};
+}
+
+double drawKey(Canvas& canvas, double x, double y, const std::string& key, double size, bool isHot)
+{
+    const Box box = capBox(canvas, x, y, key, size);
+    if (!keyOfCap(key).empty())
+        canvas.roundedBox(box, canvas.px(4), isHot ? mix(color::panelRaised, color::text, 0.18) : color::panelRaised);
+    canvas.text(x + canvas.px(5.5), y, key, {Font::sans, size, keyOfCap(key).empty() ? color::accent : color::text});
+    return x + box.width;
 }
 
 bool StripPane::update(unsigned changes)
@@ -315,7 +335,7 @@ bool StripPane::paintLine(Canvas& canvas, double x, double y)
     {
         const auto first = message.substr(0, message.find('\n'));
         const Box box{x, y - height / 2, width, height};
-        const bool isCalm = message == notice || message.starts_with("waiting for ");
+        const bool isCalm = controller.tone() != Tone::trouble;
         const Rgba ink = isCalm ? color::accent : color::warning;
         canvas.roundedBox(box, canvas.px(6), mix(color::panel, ink, 0.16));
         const double cx = x + canvas.px(15), half = canvas.px(7);
@@ -362,7 +382,13 @@ void StripPane::paintKeys(Canvas& canvas, double x, double y)
         if (x + width > area.width - canvas.px(12)) continue;
 
         std::istringstream again(help.keys);
-        for (std::string key; again >> key;) x = drawKey(canvas, x, y, key, 11.5) + canvas.px(3);
+        for (std::string key; again >> key;)
+        {
+            const Box box = capBox(canvas, x, y, key, 11.5);
+            x = drawKey(canvas, x, y, key, 11.5, isHot(box)) + canvas.px(3);
+            // No hint: it would stand in the place of the keys.
+            if (const auto name = keyOfCap(key); !name.empty()) addSpot(box, "", [this, name] { typeKey(name); });
+        }
         x += canvas.px(4);
         x += canvas.text(x, y, help.brief, look) + canvas.px(16);
     }

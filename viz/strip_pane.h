@@ -21,8 +21,8 @@ public:
 
     /// The digits typed so far, to go to a ray by its number; empty: nobody types.
     std::optional<std::string> typed;
-    /// The message that is no warning.
-    std::string notice;
+    /// Does what a key does; `key` as X names it.
+    std::function<void(const std::string& key)> typeKey;
 
 private:
     /// Something to click.
@@ -71,7 +71,12 @@ struct KeyHelp
 /// All keys and mouse gestures, the important ones first.
 const std::vector<KeyHelp>& keyHelp();
 
-/// Draws one key cap at x; returns where it ends.
-double drawKey(Canvas& canvas, double x, double y, const std::string& key, double size);
+/// X's name of the key with this cap; empty: the cap stands for no single key ("click", "⇧").
+std::string keyOfCap(const std::string& cap);
+
+/// The box of a key cap at x.
+Box capBox(Canvas& canvas, double x, double y, const std::string& cap, double size);
+/// Draws a key cap at x; returns where it ends. One that is no button, or stands for no single key, is flat.
+double drawKey(Canvas& canvas, double x, double y, const std::string& key, double size, bool isHot = false);
 
 } // namespace rt::viz

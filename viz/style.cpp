@@ -139,10 +139,8 @@ void Style::OnKeyPress()
 {
     // Who copies with Ctrl+C does not mean key c.
     if (this->Interactor->GetControlKey() || this->Interactor->GetAltKey()) return;
-    int x = 0, y = 0;
-    this->Interactor->GetEventPosition(x, y);
     const char* key = this->Interactor->GetKeySym();
-    window->key(key ? key : "", this->Interactor->GetShiftKey() != 0, x, y);
+    window->key(key ? key : "", this->Interactor->GetShiftKey() != 0);
 }
 
 void Style::OnKeyRelease()

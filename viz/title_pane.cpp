@@ -37,7 +37,10 @@ void TitlePane::paint(Canvas& canvas)
         facts.push_back({"pixel", fmt::format("{}, {}", (*pixel)[0], (*pixel)[1])});
     else
         facts.push_back({"one given ray", ""});
-    facts.push_back({"radiance", shortText(radiance), true});
+    // With more than one sample neither tree nor numbers are those of the pixel in the picture.
+    const bool isPart = controller.pixel() && controller.samples() > 1;
+    facts.push_back({isPart ? fmt::format("centre ray's radiance, 1 of {} samples", controller.samples()) : "radiance",
+                     shortText(radiance), true});
     // What stands in for rays beyond the cap may be rays too.
     const int deepest = controller.deepest(), cap = controller.maxDepth();
     facts.push_back({"depth", fmt::format("{}{}{}", deepest, deepest > cap ? ", MAXDEPTH " : " of ", cap)});

@@ -274,7 +274,7 @@ private:
         const double rim = std::max(px(1.2), half * 0.24);
         if (blocked && half > px(2)) raster.square(p, half - rim, color::panel);
         const auto& shadow = tree.shadows[std::size_t(item(i).index)];
-        write(p, 2 * half - (blocked ? 2 * rim : 0), {"L" + subscript(shadow.node), "L"},
+        write(p, 2 * half - (blocked ? 2 * rim : 0), {"L" + subscript(shadow.light), "L"},
               blocked ? color : color::dark);
     }
 

@@ -21,6 +21,7 @@
 #include "viz/export.h"
 #include "viz/own_display.h"
 #include "viz/recording.h"
+#include "viz/scene_watch.h"
 #include "viz/script.h"
 #include "viz/state.h"
 #include "viz/tracer_source.h"
@@ -170,6 +171,11 @@ Session chooseSession(ViewerOptions options, std::string& problem)
         session.source = tracerSource(options.tracer);
     if (!options.compare.empty()) compareWith(session, options.compare, *lesson, options.precision());
     session.probe = probe(options, session.scene);
+    session.reread = watchScene(session.scene, [options, lesson] {
+        auto scene = loadScene(options);
+        if (options.tracer.empty()) checkModels(*lesson, scene, options.force);
+        return scene;
+    });
     return session;
 }
 
@@ -180,7 +186,9 @@ void exportAndTell(const std::string& path, Controller& controller)
     std::string list;
     for (const auto& file : files) list += (list.empty() ? "" : ", ") + file;
     std::cerr << list << ": written\n";
-    controller.say(list + ": written");
+    // The window has one line for it.
+    controller.say(files.size() == 1 ? list + ": written" : fmt::format("{}: {} files written", path, files.size()),
+                   Tone::done);
 }
 
 /// A window that is made when it is first needed: exports and states need none.
@@ -196,7 +204,16 @@ public:
     {
         if (window) return *window;
         window = std::make_unique<Window>(controller, place, onScreen);
-        window->exportAll = [this] { exportAndTell("raytree-export", controller); };
+        window->exportAll = [this] {
+            try
+            {
+                exportAndTell("raytree-export", controller);
+            }
+            catch (const std::exception& error)
+            {
+                controller.say(error.what());
+            }
+        };
         return *window;
     }
 

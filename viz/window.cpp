@@ -1,7 +1,10 @@
 #include "viz/window.h"
 
 #include <algorithm>
+#include <cctype>
+#include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include <fmt/format.h>
 #include <vtkCallbackCommand.h>
@@ -9,6 +12,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include "common/program.h"
+#include "viz/pending_input.h"
 #include "viz/recording.h"
 
 namespace rt::viz
@@ -17,10 +21,12 @@ namespace rt::viz
 namespace
 {
 
-constexpr auto stepTime = std::chrono::milliseconds(500); // while playing
 constexpr auto messageTime = std::chrono::seconds(6);
 constexpr unsigned long tickTime = 80; // milliseconds
+const double letterStep = std::pow(2, 0.25);
 constexpr std::size_t mostDigits = 7;
+constexpr PaneId panesInTurn[] = {PaneId::scene,   PaneId::tree,  PaneId::code,
+                                  PaneId::numbers, PaneId::image, PaneId::chart};
 
 /// Panes make what they draw when they are made: fonts and colours must be right before.
 Controller& dressed(Controller& controller)
@@ -52,6 +58,7 @@ Window::Window(Controller& shown, const WindowPlace& place, bool onScreen)
             part->SetInteractive(part == scene.renderer());
         }
     }
+    strip.typeKey = help.typeKey = [this](const std::string& name) { key(name, false); };
     layOut();
     controller.changed = [this](unsigned changes) { update(changes); };
     if (!onScreen)
@@ -67,6 +74,12 @@ Window::Window(Controller& shown, const WindowPlace& place, bool onScreen)
     onResize->SetClientData(this);
     onResize->SetCallback([](vtkObject*, unsigned long, void* self, void*) { static_cast<Window*>(self)->resized(); });
     window->AddObserver(vtkCommand::WindowResizeEvent, onResize);
+    // The close button. Without an observer VTK would end by itself; but a recorder is one.
+    vtkNew<vtkCallbackCommand> onClose;
+    onClose->SetCallback([](vtkObject* caller, unsigned long, void*, void*) {
+        static_cast<vtkRenderWindowInteractor*>(caller)->TerminateApp();
+    });
+    interactor->AddObserver(vtkCommand::ExitEvent, onClose);
 }
 
 Window::~Window()
@@ -86,7 +99,8 @@ void Window::layOut()
     laidOut = wishes();
     const Layout layout = layoutFor(width, height, laidOut);
     drawnScale = layout.scale;
-    for (std::size_t i = 0; i < panes.size(); ++i) panes[i]->place(layout.panes[i], width, height, layout.scale);
+    for (std::size_t i = 0; i < panes.size(); ++i)
+        panes[i]->place(layout.panes[i], width, height, layout.scaleOf(PaneId(i)));
     under = nullptr;
     drawOnly(panes);
 }
@@ -159,7 +173,7 @@ void Window::press(const std::string& keys)
 {
     const std::string shift = "Shift+";
     const bool withShift = keys.starts_with(shift);
-    key(withShift ? keys.substr(shift.size()) : keys, withShift, pointerX, pointerY);
+    key(withShift ? keys.substr(shift.size()) : keys, withShift);
 }
 
 void Window::dragFrom(int fromX, int fromY, int toX, int toY)
@@ -202,7 +216,11 @@ void Window::drawOnly(const std::vector<Pane*>& some)
 void Window::redraw(const std::vector<Pane*>& some)
 {
     if (!interactor) return;
-    drawOnly(some);
+    for (auto* pane : some)
+        if (std::find(late.begin(), late.end(), pane) == late.end()) late.push_back(pane);
+    // Keys that repeat, and the wheel, are faster than drawing: what they have done is drawn once.
+    if (isInputPending(window->GetGenericDisplayId())) return;
+    drawOnly(std::exchange(late, {}));
     window->Render();
     drawOnly(panes);
 }
@@ -225,6 +243,7 @@ void Window::dress()
 void Window::update(unsigned changes)
 {
     if (controller.look() != dressedFor) dress();
+    if (changes & changedMessage) saidAt = Clock::now();
     std::vector<Pane*> some;
     for (auto* pane : panes)
         if (pane->update(changes) && pane->isPlaced()) some.push_back(pane);
@@ -254,6 +273,10 @@ void Window::click(int x, int y)
 {
     if (auto* pane = paneAt(x, y))
     {
+        const auto id = PaneId(std::find(panes.begin(), panes.end(), pane) - panes.begin());
+        if (whole == PaneId::none &&
+            std::find(std::begin(panesInTurn), std::end(panesInTurn), id) != std::end(panesInTurn))
+            clicked = id;
         const int* origin = pane->renderer()->GetOrigin();
         if (pane->click(x - origin[0], y - origin[1])) redraw({pane});
     }
@@ -267,8 +290,6 @@ void Window::drag(int fromX, int fromY, int dx, int dy)
 
 void Window::hover(int x, int y)
 {
-    pointerX = x;
-    pointerY = y;
     auto* pane = paneAt(x, y);
     if (under && under != pane) under->leave();
     under = pane;
@@ -305,41 +326,34 @@ void Window::tick()
 {
     if (interrupted()) return interactor->TerminateApp();
     const auto now = Clock::now();
+    if (!late.empty()) redraw({});
+    controller.reread();
     controller.poll();
-    if (controller.isPlaying() && now - lastStep >= stepTime)
+    if (!controller.isPlaying()) lastStep = now; // the button, too, begins to play with the first step
+    const int due = int(std::chrono::duration<double>(now - lastStep).count() * controller.speed());
+    if (controller.isPlaying() && due > 0)
     {
         lastStep = now;
-        controller.playOn();
+        controller.playOn(due);
     }
-    if (!ownMessage.empty() && now - saidAt >= messageTime)
-    {
-        // Unless somebody else has said something since.
-        if (controller.message() == ownMessage) controller.say("");
-        ownMessage.clear();
-    }
+    if (controller.tone() == Tone::done && now - saidAt >= messageTime) controller.say("");
 }
 
-void Window::say(const std::string& message)
+void Window::key(const std::string& asTyped, bool shift)
 {
-    ownMessage = message;
-    strip.notice = message;
-    saidAt = Clock::now();
-    controller.say(message);
-}
-
-void Window::key(const std::string& key, bool shift, int x, int y)
-{
-    if (strip.typed) return type(key);
-    const bool onPicture = shift || (paneAt(x, y) == &image && image.isPlaced());
-    if (key == "q" || key == "Q")
+    if (strip.typed) return type(asTyped);
+    // Capital letters, of Shift or Caps Lock, are as good as small ones.
+    const std::string key =
+        asTyped.size() == 1 ? std::string(1, char(std::tolower(static_cast<unsigned char>(asTyped[0])))) : asTyped;
+    if (key == "q")
     {
         if (interactor) interactor->TerminateApp();
         return;
     }
-    if (key == "Up") return onPicture ? controller.movePixel(0, -1) : controller.previousNode();
-    if (key == "Down") return onPicture ? controller.movePixel(0, 1) : controller.nextNode();
-    if (key == "Left") return onPicture ? controller.movePixel(-1, 0) : controller.stepBy(-1);
-    if (key == "Right") return onPicture ? controller.movePixel(1, 0) : controller.stepBy(1);
+    if (key == "Up") return shift ? controller.movePixel(0, -1) : controller.previousNode();
+    if (key == "Down") return shift ? controller.movePixel(0, 1) : controller.nextNode();
+    if (key == "Left") return shift ? controller.movePixel(-1, 0) : controller.stepBy(-1);
+    if (key == "Right") return shift ? controller.movePixel(1, 0) : controller.stepBy(1);
     if (key == "Home") return controller.stepTo(0);
     if (key == "End") return controller.stepTo(controller.lastStep());
     if (key == "space")
@@ -347,6 +361,10 @@ void Window::key(const std::string& key, bool shift, int x, int y)
         lastStep = Clock::now();
         return controller.setPlaying(!controller.isPlaying());
     }
+    if (key == "comma") return controller.playFaster(false);
+    if (key == "period") return controller.playFaster(true);
+    if (key == "plus" || key == "equal" || key == "KP_Add") return setScale(scale * letterStep);
+    if (key == "minus" || key == "KP_Subtract") return setScale(scale / letterStep);
     if (key == "Prior") return controller.parentNode();
     if (key == "bracketleft") return controller.setMaxDepth(controller.maxDepth() - 1);
     if (key == "bracketright") return controller.setMaxDepth(controller.maxDepth() + 1);
@@ -356,7 +374,7 @@ void Window::key(const std::string& key, bool shift, int x, int y)
     if (key == "d") return controller.selectDifference();
     if (key == "l") return controller.toggleLook();
     if (key == "h" || key == "question") return controller.toggleHelp();
-    if (key == "m") return enlarge(x, y);
+    if (key == "m") return enlargeNext();
     if (key == "F12") return saveScreenshot();
     if (key == "e" && exportAll) return exportAll();
     if (key == "g" || key == "slash")
@@ -367,7 +385,7 @@ void Window::key(const std::string& key, bool shift, int x, int y)
     if (key == "Escape")
     {
         if (controller.showsHelp()) return controller.toggleHelp();
-        if (whole != PaneId::none) return enlarge(x, y);
+        if (whole != PaneId::none) return enlarge(PaneId::none);
         return controller.say("");
     }
     if (key == "r")
@@ -384,24 +402,31 @@ void Window::key(const std::string& key, bool shift, int x, int y)
     }
 }
 
-/// The pane under the pointer takes the place of all, or gives it back.
-void Window::enlarge(int x, int y)
+void Window::setScale(double wanted)
 {
-    if (controller.showsHelp()) return;
-    if (whole != PaneId::none)
-        whole = PaneId::none;
-    else
-    {
-        const auto found = std::find(panes.begin(), panes.end(), paneAt(x, y));
-        const auto id = PaneId(found - panes.begin());
-        if (found == panes.end() || id == PaneId::title || id == PaneId::strip) return;
-        whole = id;
-    }
+    scale = std::clamp(wanted, smallestScale, largestScale);
     layOut();
     redraw(panes);
 }
 
-/// The number of a ray, digit by digit.
+/// This pane takes the place of all; `none`: all have theirs.
+void Window::enlarge(PaneId pane)
+{
+    whole = pane;
+    layOut();
+    redraw(panes);
+}
+
+/// One pane after the other, beginning with the one that was clicked last, and then all of them again.
+void Window::enlargeNext()
+{
+    if (controller.showsHelp()) return;
+    if (whole == PaneId::none) return enlarge(clicked);
+    const auto now = std::find(std::begin(panesInTurn), std::end(panesInTurn), whole);
+    const auto next = now + 1 == std::end(panesInTurn) ? std::begin(panesInTurn) : now + 1;
+    enlarge(*next == clicked ? PaneId::none : *next);
+}
+
 void Window::type(const std::string& key)
 {
     const bool isPad = key.size() == 4 && key.starts_with("KP_");
@@ -439,7 +464,7 @@ void Window::saveScreenshot()
         if (controller.isRefining()) controller.wait(); // a coarse picture is no result
         const Image shot = picture();
         writeImage(shot, file);
-        say(file + " has been written");
+        controller.say(file + ": written", Tone::done);
     }
     catch (const std::exception& error)
     {

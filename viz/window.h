@@ -60,9 +60,9 @@ public:
     void drag(int fromX, int fromY, int dx, int dy);
     void hover(int x, int y);
     void wheel(int x, int y, bool forward);
-    /// `key` as X names it: "Left", "bracketleft", "a".
-    void key(const std::string& key, bool shift, int x, int y);
-    /// The same with the pointer where it was last; "Shift+Left" is allowed.
+    /// As X names it: "Left", "bracketleft", "a". What it does never depends on where the pointer is.
+    void key(const std::string& asTyped, bool shift);
+    /// The same; "Shift+Left" is allowed.
     void press(const std::string& keys);
     /// Press, drag and release of the left button.
     void dragFrom(int fromX, int fromY, int toX, int toY);
@@ -89,14 +89,14 @@ private:
     vtkSmartPointer<vtkRenderWindowInteractor> interactor;
     vtkNew<Style> style;
     int width, height;
-    double scale;          // that was asked for
+    double scale;          // that was asked for, or chosen since by + and -
     double drawnScale = 1; // what the window's size makes of it
     Look dressedFor;
-    PaneId whole = PaneId::none; // enlarged by the user
+    PaneId whole = PaneId::none;    // enlarged by the user
+    PaneId clicked = PaneId::scene; // last: key m begins with it
     LayoutWishes laidOut;
-    Pane* under = nullptr; // the pointer
-    int pointerX = -1, pointerY = -1;
-    std::string ownMessage; // said by the window: it goes away by itself
+    Pane* under = nullptr;   // the pointer
+    std::vector<Pane*> late; // to be drawn, but there was more to do first
     Clock::time_point lastStep, saidAt;
 
     LayoutWishes wishes() const;
@@ -108,10 +108,11 @@ private:
     /// Draws only these panes; the pixels of the others stay.
     void redraw(const std::vector<Pane*>& some);
     void redrawIfAsked();
-    void enlarge(int x, int y);
+    void setScale(double wanted);
+    void enlarge(PaneId pane);
+    void enlargeNext();
     void type(const std::string& key);
     void goTo(const std::string& digits);
-    void say(const std::string& message);
     void saveScreenshot();
 };
 

@@ -207,6 +207,9 @@ TEST_F(RunProcess, NamesACrash)
     EXPECT_EQ(result.exitCode, -1);
     EXPECT_EQ(describeFailure("exercise06", result), "exercise06 crashed (segmentation fault)");
     EXPECT_EQ(describeFailure("it", shell("kill -ABRT $$")), "it crashed (aborted)");
+    EXPECT_EQ(describeFailure(
+                  "it", shell("printf 'one\\ntwo\\n\\n terminate called\\n  what():  no root\\n' >&2; kill -ABRT $$")),
+              "it crashed (aborted): two; terminate called; what():  no root");
     EXPECT_EQ(describeFailure("it", shell("kill -KILL $$")), "it was killed from outside, perhaps for want of memory");
 }
 

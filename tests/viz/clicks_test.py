@@ -15,9 +15,10 @@ import tempfile
 import time
 import unittest
 
-from xscreen import HEIGHT, WIDTH, Screen, Viewer, missing, steady, wait_for
+from xscreen import HEIGHT, PATIENCE, WIDTH, Screen, Viewer, missing, steady, wait_for
 
 PROGRAM = pathlib.Path(sys.argv.pop(1)).resolve()
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 # viz/layout.cpp at 1600x900: x, y, width, height.
 TITLE, STRIP = 46, 78
@@ -31,6 +32,7 @@ WHOLE = (0, 0, WIDTH, HEIGHT)
 NOWHERE = (700, 20)  # in the title, where nothing follows the pointer
 
 # viz/palette.cpp, the dark look.
+RAISED = (31, 40, 53)
 CAMERA, REFLECTED, TRANSMITTED, ACCENT = (86, 180, 233), (245, 159, 20), (32, 166, 76), (125, 211, 252)
 
 # Lesson 6 on its first scene: 640x480, a glass ball that splits the chosen pixel's ray again and again.
@@ -149,6 +151,33 @@ class Clicks(unittest.TestCase):
         for got, expected in zip(state["pixel"], self.pixel_at(x, y)):
             self.assertAlmostEqual(got, expected, delta=2)
 
+    def test_a_changed_scene_is_one_for_the_view_and_for_programs(self):
+        lesson, file = PROGRAM.parent / "lesson06", self.folder / "mine.toml"
+        glass = (ROOT / "lessons/06_fresnel/scenes/half_and_glass.toml").read_text()
+        file.write_text(glass)
+        viewer = self.view(6, "mine.toml", "--compare", lesson)
+        first = self.rest(viewer, SCENE)
+        self.changes(BOTTOM, lambda: file.write_text("[[sphere\n"), "the word that it is no scene")
+        self.assertEqual(self.screen.part(SCENE), first)
+        self.changes(SCENE, lambda: file.write_text(glass.replace("radius = 1.0", "radius = 0.7")), "the scene in space")
+        self.rest(viewer)
+        state = viewer.quit()
+        self.assertEqual(state["comparison"]["nodes"], state["nodes"])
+        self.assertEqual((state["comparison"]["first_difference"], state["message"]), (None, ""))
+        self.assertEqual(state["nodes"], len(self.tree(6, "mine.toml")))
+
+    def test_the_view_is_fitted_when_a_slow_tree_comes(self):
+        self.tree(3)
+        program = self.folder / "tracer"
+        program.write_text("#!/bin/sh\nsleep 2\ncat tree.json\n")
+        program.chmod(0o755)
+        viewer = self.view(3, "--tracer", program)
+        wait_for(lambda: self.screen.pixels_like(TREE, REFLECTED), "the tree")
+        first = self.rest(viewer, SCENE)
+        viewer.keys("r", "l", "l")
+        self.assertTrue(self.rest(viewer, SCENE) == first)
+        viewer.quit()
+
     def test_a_click_on_a_node_of_the_tree_selects_it(self):
         nodes = self.tree()
         viewer = self.view()
@@ -263,6 +292,23 @@ class Clicks(unittest.TestCase):
             self.assertEqual(state["step"], step % state["last_step"], keys)
             self.assertIsNotNone(state["event"])
 
+    def test_keys_that_repeat_are_not_drawn_one_by_one(self):
+        viewer = self.view()
+
+        def cost(act):
+            before = viewer.processor_time()
+            act()
+            self.rest(viewer)
+            return viewer.processor_time() - before
+        viewer.keys("Home")
+        self.rest(viewer)
+        idle = cost(lambda: None)
+        one = max(cost(lambda: viewer.keys("Right")) - idle, 1)
+        many = cost(lambda: viewer.do("key", "--delay", 0, *["Right"] * 40)) - idle
+        self.assertLess(many, 15 * one)
+        state = viewer.quit()
+        self.assertEqual(state["step"], 41)
+
     def test_keys_choose_rays_depth_and_what_is_shown(self):
         nodes = self.tree(6, "--depth", 7)
         viewer = self.view()
@@ -281,14 +327,94 @@ class Clicks(unittest.TestCase):
         wait_for(lambda: self.screen.part(IMAGE) != coarse, "a coarse picture")
         self.assertEqual(viewer.quit()["max_depth"], 6)
 
-    def test_arrows_move_the_pixel_on_the_picture_and_with_shift_everywhere(self):
-        viewer = self.view(6, "--pixel", "300,200")
-        viewer.do("mousemove", 216, 208)
-        viewer.keys("Right", "Right", "Right", "Left", "Down", "Down", "Up")
-        viewer.do("mousemove", *NOWHERE)
-        viewer.keys("shift+Left", "shift+Down", "h")
+    def test_what_a_key_does_does_not_depend_on_where_the_pointer_is(self):
+        keys = ["Home", "Right", "Right", "shift+Right", "shift+Right", "shift+Left", "shift+Down", "Home", "Right", "Right", "Down"]
+        states = []
+        for place in (216, 208), (700, 300), (1300, 300), (200, 600), NOWHERE, (700, HEIGHT - 20):
+            viewer = self.view(6, "--pixel", "300,200")
+            viewer.do("mousemove", *place)
+            viewer.keys(*keys, "m", "n")
+            states.append({**viewer.quit(), "hovered": None})
+        self.assertEqual((states[0]["pixel"], states[0]["step"]), ([301, 201], 2))
+        for state in states:
+            self.assertEqual(state, states[0])
+
+    def test_capital_letters_do_what_small_ones_do(self):
+        for way in (lambda key: f"shift+{key}"), (lambda key: key.upper()):
+            viewer = self.view()
+            viewer.keys(*map(way, "nlhc"))
+            state = viewer.quit()
+            self.assertEqual((state["normals"], state["look"], state["help"]), (False, "light", True))
+            self.assertIn("--compare", state["message"])
+
+    def caps(self):
+        """The key caps of the bottom row, as boxes from the left: runs of their colour in one row of pixels, above the letters."""
+        y = HEIGHT - STRIP // 4 - 7
+        return [run for run in runs(self.screen.pixels_like((600, y, WIDTH - 600, 1), RAISED)) if run[1] - run[0] > 8]
+
+    def test_key_caps_are_buttons(self):
+        y, did = HEIGHT - STRIP // 4, []
+        for i in range(3):  # h; the arrows, which lie side by side; Space
+            viewer = self.view()
+            self.rest(viewer)
+            viewer.click(self.caps()[i][0] + 6, y)
+            state = viewer.quit()
+            did.append((state["help"], state["step"] - state["last_step"]))
+        self.assertEqual(did[:2], [(True, 0), (False, -1)])
+        self.assertTrue(state["playing"])
+
+    def test_caps_of_the_cheat_sheet_are_buttons(self):
+        viewer = self.view()
+        viewer.keys("h")
+        self.rest(viewer)
+        # The lowest cap, key q, ends the viewer.
+        x, y = max(self.screen.pixels_like((0, TITLE, WIDTH, HEIGHT - TITLE - STRIP - 2), RAISED), key=lambda place: (place[0] > WIDTH // 2, place[1]))
+        viewer.click(x, y - 3)
+        viewer.process.wait(PATIENCE)
+        self.assertEqual(viewer.quit()["help"], False)
+
+    def test_play_has_a_speed(self):
+        viewer = self.view()
+        viewer.keys("comma", *["period"] * 9, "comma")
         state = viewer.quit()
-        self.assertEqual((state["pixel"], state["help"]), ([301, 202], True))
+        self.assertEqual((state["speed"], state["message"], state["tone"]), (32, "plays 32 steps a second", "done"))
+
+    def test_letters_grow_and_shrink(self):
+        viewer = self.view()
+        first = self.rest(viewer)
+        self.changes(TREE, lambda: viewer.keys("plus"), "larger letters")
+        self.changes(TREE, lambda: viewer.keys("minus", "minus"), "smaller letters")
+        viewer.keys("plus")
+        self.comes_back(WHOLE, first, "the letters of the start")
+        viewer.quit()
+
+    def labels(self, colour):
+        """The middles of the plates of this colour in space, from the left."""
+        plates = []
+        for x, y in self.screen.pixels_like((SCENE[0], SCENE[1], SCENE[2], SCENE[3] - 60), colour):  # above the legend
+            for plate in plates:
+                if abs(plate[0] - x) < 30 and abs(plate[1] - y) < 24:
+                    plate[2].append((x, y))
+                    break
+            else:
+                plates.append((x, y, [(x, y)]))
+        found = [points for _, _, points in plates if len(points) > 120]
+        return sorted((sum(x for x, _ in points) // len(points), sum(y for _, y in points) // len(points)) for points in found)
+
+    def test_labels_in_space_can_be_clicked_and_stay_where_they_are(self):
+        viewer = self.view(3)
+        self.rest(viewer)
+        places, chosen = self.labels(REFLECTED), set()
+        self.assertEqual(len(places), 2)
+        viewer.quit()
+        for place in places:
+            viewer = self.view(3)
+            viewer.click(*place)
+            self.rest(viewer)
+            for (x, y), (x0, y0) in zip(self.labels(REFLECTED), places):
+                self.assertLess(abs(x - x0) + abs(y - y0), 4)
+            chosen.add(viewer.quit()["selected"])
+        self.assertEqual(chosen, {1, 2})
 
     def test_a_ray_that_is_not_there_is_told(self):
         viewer = self.view()
@@ -306,16 +432,20 @@ class Clicks(unittest.TestCase):
         self.assertEqual((state["selected"], state["comparison"]), (first["expected_node"], None))
         self.assertNotEqual(state["selected"], 0)
 
-    def test_a_pane_is_enlarged_and_given_back(self):
+    def test_panes_are_enlarged_one_after_the_other(self):
         viewer = self.view()
         first = self.rest(viewer)
-        for key in ("m", "Escape"):
-            viewer.do("mousemove", 1300, 500)
-            steady(self.screen, WHOLE)
-            self.changes(IMAGE, lambda: viewer.keys("m"), "the tree to be enlarged")
-            viewer.keys(key)
-            viewer.do("mousemove", *NOWHERE)
-            self.comes_back(WHOLE, first, f"key {key} to give all panes back")
+        middle = (1150, 100, 440, 600)  # shows another thing with each pane
+        for _ in range(6):
+            self.changes(middle, lambda: viewer.keys("m"), "the next pane")
+        viewer.keys("m")
+        self.comes_back(WHOLE, first, "all panes after the last one")
+        viewer.click(TREE[0] + 20, TREE[1] + TREE[3] - 20)  # an empty corner
+        tree = self.changes(SCENE, lambda: viewer.keys("m"), "the pane that was clicked")
+        viewer.keys("Escape")
+        viewer.do("mousemove", *NOWHERE)
+        self.comes_back(WHOLE, first, "key Escape to give all panes back")
+        self.assertNotEqual(tree, self.changes(SCENE, lambda: viewer.keys("m", "m"), "the pane after it"))
         viewer.quit()
 
     def test_keys_of_vtk_do_nothing(self):
@@ -352,7 +482,7 @@ class Clicks(unittest.TestCase):
         self.assertNotEqual(*shots)
         files = {path.suffix for path in (self.folder / "raytree-export").iterdir()}
         self.assertLessEqual({".json", ".vtp", ".glb", ".gltf", ".html"}, files)
-        self.assertIn("written", state["message"])
+        self.assertEqual((state["message"], state["tone"]), ("raytree-export: 6 files written", "done"))
         self.assertEqual([path for path in self.folder.rglob("*part*")], [])
 
     # The window

@@ -305,6 +305,86 @@ TEST(SlowSource, LeavesTheOldTreeAndOneSentenceWhenItFails)
     EXPECT_EQ(controller.tree().pixel, (std::array{3, 2}));
 }
 
+TEST(SlowSource, TracesTheSamePixelAgain)
+{
+    Session session = mirrorSession();
+    session.source.isSlow = true;
+    auto asked = std::make_shared<int>(0);
+    session.source.inspect = [asked, ask = session.source.inspect](const auto& scene, const auto& probe,
+                                                                   const auto& stop) {
+        ++*asked;
+        return ask(scene, probe, stop);
+    };
+    Controller controller(std::move(session));
+    controller.wait();
+    controller.choosePixel(36, 25);
+    EXPECT_EQ(controller.message().substr(0, 12), "waiting for ");
+    EXPECT_EQ(controller.tone(), Tone::waiting);
+    controller.wait();
+    EXPECT_EQ(*asked, 2);
+    EXPECT_EQ(controller.message(), "");
+}
+
+/// A session whose scene's file can be changed: `next` is what it then holds.
+struct ChangingScene
+{
+    std::shared_ptr<std::optional<SceneDescription>> next = std::make_shared<std::optional<SceneDescription>>();
+
+    Session session(bool isSlow)
+    {
+        Session made = mirrorSession();
+        made.source.isSlow = isSlow;
+        made.reread = [next = next]() { return std::exchange(*next, std::nullopt); };
+        return made;
+    }
+};
+
+TEST(Controller, TakesOverAChangedSceneAndTracesIt)
+{
+    for (const bool isSlow : {false, true})
+    {
+        ChangingScene file;
+        Controller controller(file.session(isSlow));
+        controller.wait();
+        unsigned told = 0;
+        controller.changed = [&](unsigned changes) { told |= changes; };
+        controller.reread();
+        EXPECT_EQ(told, 0U);
+        controller.setMaxDepth(3);
+        auto changed = mirrorSession().scene;
+        changed.spheres.clear();
+        changed.camera.width = 20;
+        *file.next = changed;
+        controller.reread();
+        // No moment at which a tree of the old scene is shown with the new one.
+        EXPECT_EQ(controller.tree().nodes.empty(), isSlow);
+        controller.wait();
+        EXPECT_TRUE(told & changedScene);
+        EXPECT_TRUE(controller.scene().spheres.empty());
+        EXPECT_EQ(controller.picture().width, 20);
+        EXPECT_EQ(controller.pixel(), (std::array{19, 25}));
+        EXPECT_EQ(controller.maxDepth(), 3); // as the user chose
+        EXPECT_EQ(controller.tree().nodes.at(0).radiance, controller.picture().at(19, 25));
+
+        changed.lights.clear();
+        *file.next = changed;
+        controller.choosePixel(19, 25); // the same pixel, of another scene
+        controller.wait();
+        EXPECT_TRUE(controller.tree().shadows.empty());
+    }
+}
+
+TEST(Controller, KeepsTheSceneIfItsFileIsBad)
+{
+    Session session = mirrorSession();
+    session.reread = []() -> std::optional<SceneDescription> { throw std::runtime_error("s.toml:2: no"); };
+    Controller controller(std::move(session));
+    const auto nodes = controller.tree().nodes.size();
+    controller.reread();
+    EXPECT_EQ(controller.message(), "s.toml:2: no");
+    EXPECT_EQ(controller.tree().nodes.size(), nodes);
+}
+
 TEST(SlowSource, AFailureAtTheStartIsSaidNotThrown)
 {
     Session session = mirrorSession();

@@ -196,7 +196,9 @@ TEST(Labels, NameTheLecturesLettersWithTheNodesNumber)
     EXPECT_EQ(labelOf({.role = RayRole::camera, .node = 0}), "D₀");
     EXPECT_EQ(labelOf({.role = RayRole::reflected, .node = 12}), "R₁₂");
     EXPECT_EQ(labelOf({.role = RayRole::transmitted, .node = 3}), "T₃");
-    EXPECT_EQ(labelOf({.role = RayRole::blocked, .node = 4}), "L₄");
+    // Of a shadow ray: the lamp's number, not the ray's.
+    EXPECT_EQ(labelOf({.role = RayRole::blocked, .node = 4, .light = 1}), "L₁");
+    EXPECT_EQ(labelOf({.role = RayRole::reaches, .node = 4, .light = 0}), "L₀");
     EXPECT_EQ(labelOf({.role = RayRole::normal, .node = 5}), "N₅");
 }
 

@@ -14,6 +14,7 @@ import sys
 import tempfile
 import unittest
 
+import xdesktop
 import xscreen
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
@@ -75,6 +76,24 @@ class Replays(unittest.TestCase):
         # Key e has written its files again, and its message goes away with time.
         self.assertEqual({**played, "message": ""}, {**recorded, "message": ""})
         self.assertNotEqual(played["pixel"], [420, 196])
+
+    @unittest.skipIf(xscreen.missing(), xscreen.missing())
+    def test_the_close_button_ends_a_recording_and_writes_it(self):
+        screen = xscreen.Screen()
+        self.addCleanup(screen.close)
+        desktop = xdesktop.Desktop(screen)
+        self.addCleanup(desktop.close)
+        for words in ((), ("--record", "mine.log")):
+            viewer = xscreen.Viewer(screen, VIEWER, self.folder, 6, *words)
+            self.addCleanup(viewer.stop)
+            viewer.keys("Home", "Right")
+            found = subprocess.run(["xdotool", "search", "--name", "^raytree"], env=screen.env, capture_output=True, text=True).stdout
+            desktop.ask_to_close(int(found.split()[0]))
+            viewer.process.wait(xscreen.PATIENCE)
+            self.assertEqual(json.loads((self.folder / "state.json").read_text())["step"], 1)
+        self.assertNotIn("ExitEvent", (self.folder / "mine.log").read_text())
+        self.assertEqual(self.state("mine.log")["step"], 1)
+        self.assertEqual(list(self.folder.glob("*.part")), [])
 
     def test_what_is_no_recording_is_refused_with_one_sentence(self):
         good = (REPLAYS / "steps.log").read_bytes()

@@ -167,6 +167,18 @@ TEST(PlaceLabels, StandBesideLinesButOnTheirOwn)
     EXPECT_NEAR(on->y + on->height / 2, 100, 1e-9);
 }
 
+TEST(Labels, StayWhereTheyWere)
+{
+    LabelRequest request{.anchors = {{100, 100}}, .width = 30, .height = 12, .kept = Box{20, 20, 30, 12}};
+    LabelRequest first{.anchors = {{35, 26}}, .width = 30, .height = 12, .priority = 9};
+    const auto places = placeLabels({request, first}, 200, 200, {}, {});
+    EXPECT_EQ(places[0]->x, 20);
+    ASSERT_TRUE(places[1]);
+    EXPECT_FALSE(places[1]->overlaps(*places[0], 3));
+    // Unless something is there.
+    EXPECT_NE(placeLabels({request}, 200, 200, {}, {{10, 10, 50, 50}})[0]->x, 20);
+}
+
 } // namespace
 
 } // namespace rt::viz

@@ -104,6 +104,20 @@ class Viewer(unittest.TestCase):
         self.view(2, "--script", "help on; shot help.png; help off; shot b.png")
         self.assertEqual((self.here / "a.png").read_bytes(), (self.here / "b.png").read_bytes())
 
+    def test_every_pane_is_reached_in_a_small_window(self):
+        shots = "; ".join(f"key m; shot {i}.png" for i in range(7))
+        self.view(3, "--size-window", "640x480", "--script", f"shot all.png; {shots}")
+        all_panes = (self.here / "all.png").read_bytes()
+        pictures = [(self.here / f"{i}.png").read_bytes() for i in range(7)]
+        self.assertEqual(pictures[6], all_panes)
+        self.assertEqual(len({*pictures}), 7)
+
+    def test_with_more_samples_it_is_said_whose_tree_it_is(self):
+        self.assertEqual((self.state(3, "--spp", 16)["samples"], self.state(3)["samples"]), (16, 1))
+        for words, says in ((["--spp", "16"], True), ([], False), (["--spp", "16", "--ray", "0,1,5,0,0,-1"], False)):
+            done = subprocess.run([PROGRAMS / "lesson06", *words, "--tree", "text"], capture_output=True, text=True, check=True)
+            self.assertEqual("the picture has the mean of 16 samples" in done.stdout, says)
+
     def test_the_fitted_view_does_not_depend_on_what_was_seen_before(self):
         # Lines are wider from afar; nearly as wide as they should be they must not stay so. In lesson 2
         # seven steps back from eight are such a place.

@@ -18,6 +18,7 @@ X.XChangeProperty.argtypes = [ctypes.c_void_p, ctypes.c_ulong, ctypes.c_ulong, c
 for function in (X.XDefaultRootWindow, X.XCloseDisplay, X.XFlush, X.XPending, X.XConnectionNumber):
     function.argtypes = [ctypes.c_void_p]
 X.XSync.argtypes = [ctypes.c_void_p, ctypes.c_int]
+X.XSendEvent.argtypes = [ctypes.c_void_p, ctypes.c_ulong, ctypes.c_int, ctypes.c_long, ctypes.c_void_p]
 X.XSelectInput.argtypes = [ctypes.c_void_p, ctypes.c_ulong, ctypes.c_long]
 X.XNextEvent.argtypes = [ctypes.c_void_p, ctypes.c_void_p]
 
@@ -48,6 +49,12 @@ class Desktop:
         data = values.encode() if text else struct.pack(f"{len(values)}l", *values)
         X.XChangeProperty(self.display, window or self.root, self.atom(name), self.atom(kind), 8 if text else 32, REPLACE, data,
                           len(values))
+        X.XSync(self.display, False)
+
+    def ask_to_close(self, window):
+        """What a window manager does at a click on the close button."""
+        values = [CLIENT_MESSAGE, 0, 1, self.display, window, self.atom("WM_PROTOCOLS"), 32, self.atom("WM_DELETE_WINDOW")]
+        X.XSendEvent(self.display, window, False, 0, (ctypes.c_long * 24)(*values))
         X.XSync(self.display, False)
 
     def resources(self, text):

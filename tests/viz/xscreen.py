@@ -151,6 +151,10 @@ class Viewer:
     def ended(self):
         return self.process.poll() is not None
 
+    def processor_time(self):
+        """In the kernel's ticks, of all threads so far."""
+        return sum(map(int, pathlib.Path(f"/proc/{self.process.pid}/stat").read_text().rpartition(")")[2].split()[11:13]))
+
     def said(self):
         return (self.folder / "stderr.txt").read_text()
 

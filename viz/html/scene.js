@@ -4,7 +4,7 @@ const canvas = byId("canvas");
 const segments = DATA.drawing.segments
   .map(([role, node, light, from, to, weight, flags, stopped]) => ({
     role: ROLES[role], node, light, from, to, weight: weight || 0,
-    label: stopped || { ...LETTERS, blocked: "L", normal: "N" }[ROLES[role]] + subscript(node),
+    label: stopped || { ...LETTERS, blocked: "L", normal: "N" }[ROLES[role]] + subscript(isShadow(ROLES[role]) ? light : node),
     hasHead: (flags & 1) !== 0, fades: (flags & 2) !== 0, notTraced: (flags & 4) !== 0,
   }))
   .filter(({ from, to }) => isPoint(from) && isPoint(to));

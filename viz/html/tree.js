@@ -122,7 +122,7 @@ function squareElement([i, at, down, from], { across, along }) {
     draw("path", { class: "edge " + kind, "stroke-width": 1.3, d: beside || curve([across, along + 14], [at, down - 8]),
       ...(shadow.visible ? {} : { "stroke-dasharray": "3 3" }) }),
     draw("rect", { x: x - 8, y: y - 8, width: 16, height: 16, rx: 3, "stroke-width": 1.5 }),
-    draw("text", { x, y: y + 0.5 }, shadow.visible ? "L" : "×"),
+    draw("text", { x, y: y + 0.5 }, (shadow.visible ? "L" : "×") + subscript(shadow.light)),
     draw("title", {}, `shadow ray to light ${shadow.light}: ` +
       (shadow.visible ? "visible" : "blocked" + (shadow.blocker ? " by " + shadow.blocker : ""))));
 }
