@@ -456,7 +456,7 @@ TEST(RayTree, TellsWhereTwoSurfacesContradictEachOther)
     EXPECT_EQ(firstContradiction(wrong), "balls.toml: ray 1 of the tree: " + sentence);
     EXPECT_EQ(firstContradiction(right), "");
     EXPECT_NE(toText(wrong).find("! " + sentence), std::string::npos) << toText(wrong);
-    EXPECT_NE(toJson(wrong).find("\"medium\":1.25"), std::string::npos);
+    EXPECT_NE(toJson(wrong).find("\"medium\": 1.25"), std::string::npos);
     EXPECT_EQ(toJson(right).find("\"medium\""), std::string::npos);
 }
 

@@ -30,14 +30,14 @@ ior = 1.5
 PANE = """
 [[plane]]
 point = [0, 0, -{z}]
-normal = [0.1, 0, 1]
+normal = [{side}0.1, 0, {side}1]
 material = "glass"
 """
 
 
 def panes(size=64, depth=64):
-    """Six parallel planes of glass."""
-    return HEAD.format(size=size, depth=depth) + "".join(PANE.format(z=z) for z in range(1, 7))
+    """Six parallel planes of glass: three panes."""
+    return HEAD.format(size=size, depth=depth) + "".join(PANE.format(z=z, side="" if z % 2 else "-") for z in range(1, 7))
 
 
 class Signalled(ProgramTest):

@@ -337,7 +337,8 @@ def main():
         subprocess.run([sys.executable, str(WIDGETS / "build.py"), str(folder / "widgets")], check=True)
         size = (folder / "widgets/widgets.js").stat().st_size
         print(f"widgets.js has {size} bytes")
-        check(size < 180_000, f"widgets.js has {size} bytes")  # 160 kB; a page on a phone should not wait for more
+        # 203 kB; 160 before meshes were closed and surfaces that lie on one another told apart. A page on a phone should not wait for more.
+        check(size < 220_000, f"widgets.js has {size} bytes")
         b = Browser(folder)
         try:
             check_closed_forms(sys.argv[1])
