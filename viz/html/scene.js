@@ -1,6 +1,7 @@
 // The 3D pane: the rays among the objects; drag, wheel, pinch and pick.
 const MOST_LABELS = 24, CROWDED = 6;
 const canvas = byId("canvas");
+const isShadow = (role) => role === "reaches" || role === "blocked" || role === "beyond";
 const segments = DATA.drawing.segments
   .map(([role, node, light, from, to, weight, flags, stopped]) => ({
     role: ROLES[role], node, light, from, to, weight: weight || 0,
@@ -8,7 +9,6 @@ const segments = DATA.drawing.segments
     hasHead: (flags & 1) !== 0, fades: (flags & 2) !== 0, notTraced: (flags & 4) !== 0,
   }))
   .filter(({ from, to }) => isPoint(from) && isPoint(to));
-const isShadow = (role) => role === "reaches" || role === "blocked" || role === "beyond";
 const kindOf = (role) => (role === "beyond" ? "blocked" : role);
 
 function stepOf(segment) {
