@@ -152,14 +152,24 @@ class Clicks(unittest.TestCase):
             self.assertAlmostEqual(got, expected, delta=2)
 
     def test_a_changed_scene_is_one_for_the_view_and_for_programs(self):
-        lesson, file = PROGRAM.parent / "lesson06", self.folder / "mine.toml"
+        lesson, file, answers = self.folder / "lesson", self.folder / "mine.toml", self.folder / "answers"
+        # The lesson, which leaves a word when it has answered about a tree.
+        lesson.write_text(f'''#!/bin/sh
+            '{PROGRAM.parent}/lesson06' "$@" || exit
+            case "$*" in *--out*) ;; *) echo answered >> '{answers}' ;; esac
+            ''')
+        lesson.chmod(0o755)
+        answers.write_text("")
         glass = (ROOT / "lessons/06_fresnel/scenes/half_and_glass.toml").read_text()
         file.write_text(glass)
         viewer = self.view(6, "mine.toml", "--compare", lesson)
+        wait_for(answers.read_text, "the program's first answer")
         first = self.rest(viewer, SCENE)
         self.changes(BOTTOM, lambda: file.write_text("[[sphere\n"), "the word that it is no scene")
         self.assertEqual(self.screen.part(SCENE), first)
+        before = len(answers.read_text())
         self.changes(SCENE, lambda: file.write_text(glass.replace("radius = 1.0", "radius = 0.7")), "the scene in space")
+        wait_for(lambda: len(answers.read_text()) > before, "the program's answer")
         self.rest(viewer)
         state = viewer.quit()
         self.assertEqual(state["comparison"]["nodes"], state["nodes"])
