@@ -209,198 +209,6 @@ private:
     bool isScanned = false; ///< no hierarchies, no triangles, no sheets
 };
 
-template <std::floating_point Real>
-Scene<Real>::Scene(const SceneDescription& description)
-    : camera(description.camera), settings(description.trace), sky(description.sky)
-{
-    for (const auto& m : description.materials)
-    {
-        const std::string name = "materials." + m.name;
-        materials.push_back({m.name, narrowColor<Real>(m.color, name + ".color"),
-                             narrow<Real>(m.mirror, name + ".mirror"), narrow<Real>(m.ior, name + ".ior"),
-                             narrow<Real>(m.iorOutside, name + ".ior_outside"),
-                             narrow<Real>(m.glossy, name + ".glossy"), narrow<Real>(m.exponent, name + ".exponent")});
-        // V.R is 1 up to some eps, and its power grows with the exponent. A highlight so narrow that directions cannot
-        // resolve it is not made narrower, or it would get infinitely bright.
-        auto& mat = materials.back();
-        mat.exponent = std::min(mat.exponent, 1 / std::numeric_limits<Real>::epsilon());
-        if (mat.isDielectric())
-            for (const Real ratio : {mat.ior / mat.iorOutside, mat.iorOutside / mat.ior})
-                narrow<Real>(double(ratio * ratio), "the square of n1 / n2 in " + name);
-    }
-    for (const auto& s : description.spheres)
-    {
-        const std::string name = "sphere" + std::to_string(spheres.size());
-        spheres.push_back(
-            {narrow<Real>(s.center, name + ".center"), narrow<Real>(s.radius, name + ".radius"), s.material});
-        const Wide<Real> r = spheres.back().r;
-        if (!isOrdinary(r * r))
-            throw std::range_error("the square of " + name + ".radius = " + shortestDigits(s.radius) +
-                                   " does not fit the tracer's scalar type");
-    }
-    for (const auto& p : description.planes)
-    {
-        const std::string name = "plane" + std::to_string(planes.size());
-        Plane<Real> plane{.P = narrow<Real>(p.point, name + ".point"),
-                          .N = unit(Vec3<Real>(unit(Vec3<Wide<Real>>(p.normal)))),
-                          .material = p.material};
-        if (p.hasChecker)
-        {
-            plane.checkerMaterial = int(materials.size());
-            plane.checkerSize = narrow<Real>(p.checkerSize, name + ".checker.size");
-            materials.push_back(materials[std::size_t(p.material)]);
-            materials.back().color = narrowColor<Real>(p.checkerColor, name + ".checker.color");
-
-            // The axes are the two world axes that the plane faces least, laid into the plane: x and z for a floor.
-            const Vec3<Real> N = plane.N, size = abs(N);
-            const int main = size.y >= size.x && size.y >= size.z ? 1 : (size.x >= size.z ? 0 : 2);
-            Vec3<Real> U(0), V(0);
-            U[main == 0 ? 1 : 0] = 1;
-            V[main == 2 ? 1 : 2] = 1;
-            plane.U = unit(U - dot(U, N) * N);
-            plane.V = unit(cross(N, plane.U));
-            if (dot(plane.V, V) < 0) plane.V = -plane.V;
-        }
-        planes.push_back(plane);
-    }
-    const auto addTriangle = [&](const std::array<Vec3<double>, 3>& vertices, int material, const std::string& name) {
-        // The normal is that of the rounded corners: those are what rays meet.
-        const auto a = narrow<Real>(vertices[0], name), b = narrow<Real>(vertices[1], name),
-                   c = narrow<Real>(vertices[2], name);
-        using Vec = Vec3<Wide<Real>>;
-        const auto N = unit(cross(unit(Vec(b) - Vec(a)), unit(Vec(c) - Vec(a))));
-        const auto most = [](const Vec& v) { return largestChannel(abs(v)); };
-        const auto size = std::max(most(Vec(b) - Vec(a)), most(Vec(c) - Vec(a))), far = std::max(most(Vec(a)), size);
-        if (N != Vec(0) && !(isOrdinary(size * size * size) && isOrdinary(far * far * far)))
-            throw std::range_error(name + ": the third power of " + shortestDigits(double(far > 1 ? far : size)) +
-                                   " does not fit the tracer's scalar type");
-        triangles.push_back({a, b, c, Vec3<Real>(N), material});
-    };
-    for (const auto& t : description.triangles)
-        addTriangle(t.vertices, t.material, "triangle" + std::to_string(triangles.size()) + ".vertices");
-    for (const auto& mesh : description.meshes)
-    {
-        meshes.push_back(PrimitiveId(triangles.size()));
-        for (const auto& vertices : *mesh.triangles) addTriangle(vertices, mesh.material, mesh.file);
-    }
-    for (const auto& l : description.lights)
-    {
-        const std::string name = "light" + std::to_string(lights.size());
-        lights.push_back({narrow<Real>(l.position, name + ".position"), narrowColor<Real>(l.color, name + ".color")});
-    }
-    // 64 is more than a highlight adds, even one of the largest exponent.
-    for (const auto& light : lights)
-        nearestLamp = std::max(nearestLamp, largestChannel(light.color) / std::numeric_limits<Real>::max() * 64 *
-                                                Real(lights.size()));
-    firstPlane = PrimitiveId(spheres.size());
-    firstTriangle = PrimitiveId(spheres.size() + planes.size());
-    if (settings.cutoff > 0) brightest = brightestReturn();
-    firstOfSpheres = firstOfEqualSpheres(description.spheres);
-    findSheets(description);
-    sphereSearch = SphereSearch<Real>(spheres, SphereSearch<Real>::mostScanned, firstOfSpheres);
-    triangleSearch = TriangleSearch<Real>(triangles);
-    isScanned = spheres.size() <= SphereSearch<Real>::mostScanned && triangles.empty() && sheets.empty();
-}
-
-template <std::floating_point Real>
-void Scene<Real>::findSheets(const SceneDescription& description)
-{
-    for (const auto& found : CoincidentSurfaces(description).sheets())
-    {
-        if (sheetOf.empty()) sheetOf.assign(spheres.size() + planes.size() + triangles.size(), -1);
-        auto& sheet = sheets.emplace_back();
-        const auto add = [&](PrimitiveId id) { sheetOf[std::size_t(id)] = std::int32_t(sheets.size()) - 1; };
-        for (const int plane : found.planes)
-        {
-            auto& its = planes[std::size_t(plane)];
-            const auto& first = planes[std::size_t(found.planes[0])];
-            // One plane, and its distance is computed once.
-            its.P = first.P;
-            its.N = dot(its.N, first.N) < 0 ? -first.N : first.N;
-            sheet.planes.push_back(firstPlane + plane);
-            add(firstPlane + plane);
-        }
-        if (!sheet.planes.empty()) sheet.plane = sheet.planes[0];
-        for (const int triangle : found.triangles)
-        {
-            sheet.triangles.push_back(firstTriangle + triangle);
-            sheet.copies.push_back(triangles[std::size_t(triangle)]);
-            add(firstTriangle + triangle);
-        }
-        sheet.search = TriangleSearch<Real>(sheet.copies);
-    }
-    planesToMeet = planes;
-    for (const auto& sheet : sheets)
-        for (const auto id : sheet.planes)
-            if (id != sheet.plane) planesToMeet[std::size_t(id - firstPlane)].N = Vec3<Real>(0);
-}
-
-/// Where surfaces lie on one another, a ray first gets out of glass (-1), then meets what is opaque (0), then gets into glass (1),
-/// as if there were a gap of air that has no width. Seen from the other side the order is the reverse.
-template <std::floating_point Real>
-int Scene<Real>::layerOf(PrimitiveId id, const Vec3<Real>& D) const
-{
-    if (!materialOf(id).isDielectric()) return 0;
-    const Vec3<Real>& N =
-        id < firstTriangle ? planes[std::size_t(id - firstPlane)].N : triangles[std::size_t(id - firstTriangle)].N;
-    return dot(D, N) > 0 ? -1 : 1;
-}
-
-/// Of the surfaces that lie on the plane or triangle `found`, which the ray meets at t, the one that it meets first. Of one
-/// layer, a triangle comes before a plane, which has no end and would hide it, then the lowest id; the others are never met.
-/// Of a ray that leaves one of them: the first in a later layer, where it starts; noPrimitive if there is none.
-template <std::floating_point Real>
-[[gnu::noinline]] PrimitiveId Scene<Real>::foremost(const Ray<Real>& ray, Real t, PrimitiveId found) const
-{
-    const auto index = sheetOfPrimitive(found);
-    if (index < 0) return found;
-    const auto& sheet = sheets[std::size_t(index)];
-    const bool leaves = ray.from == found;
-    const int left = leaves ? layerOf(found, ray.D) : -2;
-    PrimitiveId best = noPrimitive;
-    std::array<int, 3> order{};
-    const auto consider = [&](PrimitiveId id) {
-        const int layer = layerOf(id, ray.D);
-        const std::array its{layer, int(id < firstTriangle), int(id)};
-        if (layer <= left || (best != noPrimitive && order < its)) return;
-        best = id;
-        order = its;
-    };
-    consider(found);
-    for (const auto id : sheet.planes) consider(id);
-    // Which triangles lie there is asked along the ray that comes, as in the search; of one that leaves, straight through them.
-    Ray<Real> line = ray;
-    if (leaves)
-        line.D = found < firstTriangle ? planes[std::size_t(found - firstPlane)].N
-                                       : triangles[std::size_t(found - firstTriangle)].N;
-    const Vec3<Real> P = ray.O + t * ray.D;
-    sheet.search.template visit<Instructions::baseline>(
-        sheet.copies, line, infinity<Real>,
-        [&](PrimitiveId k) -> std::optional<Real> {
-            const auto& triangle = sheet.copies[std::size_t(k)];
-            const typename Shapes<Real>::Crossing crossing(line, triangle);
-            if (!crossing.isInside() || !Shapes<Real>::isNear(P, ray.O, triangle)) return std::nullopt;
-            return t;
-        },
-        [&](PrimitiveId k, Real) {
-            consider(sheet.triangles[std::size_t(k)]);
-            return false;
-        });
-    return best;
-}
-
-/// Of a plane or triangle: the others of its sheet are where the ray starts, met there or not at all.
-template <std::floating_point Real>
-[[gnu::noinline]] auto Scene<Real>::startOn(const Vec3<Real>& O, const Vec3<Real>& D, PrimitiveId from) const -> Start
-{
-    const auto sheet = sheetOfPrimitive(from);
-    if (sheet < 0) return {from, from};
-    const auto next = foremost({.O = O, .D = D, .from = from}, 0, from);
-    Start start{next, sheets[std::size_t(sheet)].plane};
-    if (next != noPrimitive) start.t = std::numeric_limits<Real>::denorm_min();
-    return start;
-}
-
 /// Calls found(id, t) for the primitives that the ray meets at t <= limit, in any order, until it returns true. It may lower
 /// `limit`; some that are farther may be called for all the same.
 template <std::floating_point Real>
@@ -638,6 +446,14 @@ std::string Scene<Real>::primitiveName(PrimitiveId id) const
             return "mesh" + std::to_string(mesh) + ".triangle" + std::to_string(triangle - meshes[mesh]);
     return "triangle" + std::to_string(triangle);
 }
+
+} // namespace rt
+
+#include "common/scene_from_description.h"
+#include "common/scene_sheets.h"
+
+namespace rt
+{
 
 // Compiled once, in scene.cpp, and not in each file that traces: that halves the time to build. Who has the headers only, as
 // the grader's kits, defines RAYTREE_HEADERS_ONLY.

@@ -30,7 +30,7 @@ def check_arrows():
     """Core headers need glm and the standard library; only viz/ needs VTK; nothing needs tests/; a lesson only lesson.h."""
     core = ["vec", "ray", "hit", "material", "light", "shapes", "camera", "scene", "scene_description", "recorder", "todo",
             "lesson", "exercise", "portable", "tree_recorder", "ray_tree", "image", "sky", "pixel", "bvh", "bvh_build", "lanes",
-            "sphere_search", "triangle_search", "leave_triangle", "look_ahead", "coincident", "parallel", "ray_limit"]
+            "sphere_search", "triangle_search", "leave_triangle", "look_ahead", "coincident", "scene_from_description", "scene_sheets", "parallel", "ray_limit"]
     for name in core:
         for include in includes(ROOT / f"common/{name}.h"):
             own = include.startswith("common/") and pathlib.Path(include).stem in core

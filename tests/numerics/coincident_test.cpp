@@ -115,6 +115,16 @@ void everywhere(unsigned seed, Describe&& describe, Test&& test)
         }
 }
 
+/// What rays meet between random places, above y = 0 and below.
+auto downAndUp(const std::string& down, const std::string& up)
+{
+    return [=](const auto& scene, const Frame& frame, Random& random) {
+        const V above = random.vector(1, 2), below = random.vector(-2, -1);
+        EXPECT_EQ(met(scene, frame, above, below), down);
+        EXPECT_EQ(met(scene, frame, below, above), up);
+    };
+}
+
 TYPED_TEST(Coincident, GlassCubeStandsOnItsFloor)
 {
     everywhere<TypeParam>(
@@ -200,11 +210,7 @@ TYPED_TEST(Coincident, PlanesAlikeAreOne)
                                         .material = height < 0 ? opaque : paint});
             return scene;
         },
-        [](const auto& scene, const Frame& frame, Random& random) {
-            const V above = random.vector(1, 2), below = random.vector(-2, -1);
-            EXPECT_EQ(met(scene, frame, above, below), "plane0 ");
-            EXPECT_EQ(met(scene, frame, below, above), "plane0< ");
-        });
+        downAndUp("plane0 ", "plane0< "));
 }
 
 TYPED_TEST(Coincident, HalfSpacesOfGlassHaveAGap)
@@ -219,11 +225,7 @@ TYPED_TEST(Coincident, HalfSpacesOfGlassHaveAGap)
             scene.planes.push_back({.point = frame.point({0, 0, 0}), .normal = frame.direction({0, 1, 0})});
             return scene;
         },
-        [](const auto& scene, const Frame& frame, Random& random) {
-            const V above = random.vector(1, 2), below = random.vector(-2, -1);
-            EXPECT_EQ(met(scene, frame, above, below), "plane1< plane2 plane0 ");
-            EXPECT_EQ(met(scene, frame, below, above), "plane0< plane2< plane1 ");
-        });
+        downAndUp("plane1< plane2 plane0 ", "plane0< plane2< plane1 "));
 }
 
 TYPED_TEST(Coincident, ATriangleIsSeenOnItsPlane)
