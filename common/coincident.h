@@ -86,7 +86,7 @@ private:
         double area, nearest, farthest; ///< its plane's distance from the origin, up to rounding
     };
 
-    /// 0 up to the rounding of the numbers: exactly 0 where the plane faces along an axis, since then nothing is rounded.
+    /// Is the distance 0, up to the rounding of the numbers? Where the plane faces along an axis nothing is rounded: exactly 0.
     static bool liesOn(const Vec& p, const PlaneOf& plane)
     {
         const Vec size = abs(plane.N), reach = (abs(p) + abs(plane.P)) * size;
@@ -200,7 +200,7 @@ private:
 
     std::vector<PlaneOf> planes;
     std::vector<Owned> triangles;
-    std::vector<int> root; ///< of planes, then triangles: a way to the first of its sheet
+    std::vector<int> root; ///< planes, then triangles: each names an earlier one of its sheet, or itself
 };
 
 /// The first sphere in the file with the same centre and radius; `sphere` itself if there is none before it.

@@ -147,7 +147,7 @@ std::string firstLine(const std::string& text)
     return line;
 }
 
-/// Some lines at the end, as one: what a program says before it aborts is often two.
+/// The last lines, joined to one: what a program says before it aborts often takes two.
 std::string lastLines(const std::string& text)
 {
     constexpr std::size_t most = 3;

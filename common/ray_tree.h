@@ -124,7 +124,7 @@ std::string text(const Vec3<double>& v); ///< "(x, y, z)", five digits each
 template <std::floating_point Real>
 Vec3<Real> evaluate(const RayTree& tree);
 
-/// What a surface and the one before it say of the medium between them; of a node that isContradicted and was hit.
+/// One sentence about a node that isContradicted: what its surface says of the medium, and what the surface before said.
 std::string contradictionText(const RayTree& tree, int node);
 
 /// The first of them as a warning, with scene and ray; "" if there is none.

@@ -197,8 +197,8 @@ private:
 
     std::vector<std::int32_t> sheetOf; ///< of each primitive; -1: none; empty if there are no sheets
     std::vector<Sheet> sheets;
-    std::vector<Plane<Real>> planesToMeet; ///< without those that are there already, whose N is 0: no ray meets them
-    std::vector<int> firstOfSpheres;       ///< for equal spheres; empty if there are none
+    std::vector<Plane<Real>> planesToMeet; ///< of a sheet the first only: the others have N = 0, and no ray meets them
+    std::vector<int> firstOfSpheres;       ///< of equal spheres; of others it is the sphere itself
 
     SphereSearch<Real> sphereSearch{{}};
     TriangleSearch<Real> triangleSearch{{}};

@@ -50,9 +50,9 @@ int Scene<Real>::layerOf(PrimitiveId id, const Vec3<Real>& D) const
     return dot(D, N) > 0 ? -1 : 1;
 }
 
-/// Of the surfaces that lie on the plane or triangle `found`, which the ray meets at t, the one that it meets first. Of one
-/// layer, a triangle comes before a plane, which has no end and would hide it, then the lowest id; the others are never met.
-/// Of a ray that leaves one of them: the first in a later layer, where it starts; noPrimitive if there is none.
+/// Of the surfaces that lie on the plane or triangle `found`, which the ray meets at t: the one that it meets first. Within a
+/// layer a triangle comes before a plane, which has no end and would hide it, then the lowest id; the others are never met. For
+/// a ray that leaves one of them: the first in a later layer, met where the ray starts, or noPrimitive.
 template <std::floating_point Real>
 [[gnu::noinline]] PrimitiveId Scene<Real>::foremost(const Ray<Real>& ray, Real t, PrimitiveId found) const
 {
@@ -72,7 +72,7 @@ template <std::floating_point Real>
     };
     consider(found);
     for (const auto id : sheet.planes) consider(id);
-    // Which triangles lie there is asked along the ray that comes, as in the search; of one that leaves, straight through them.
+    // Which triangles lie there? A ray that arrives asks along itself, as the search does; one that leaves asks along the normal.
     Ray<Real> line = ray;
     if (leaves)
         line.D = found < firstTriangle ? planes[std::size_t(found - firstPlane)].N

@@ -40,7 +40,7 @@ enum Change : unsigned
     changedMessage = 64,
     changedPass = 128, ///< the picture, which is still coarse
     changedAll = 255,
-    changedScene = 256 ///< beyond all the others: what is built of it takes long
+    changedScene = 256 ///< not among changedAll: the 3D pane is built anew, which takes long
 };
 
 /// What keys 1 to 5 show or hide.

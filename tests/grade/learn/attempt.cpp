@@ -110,8 +110,8 @@ Attempt runAll(const std::vector<OneCase>& cases, const Subject& subject, const 
     return attempt;
 }
 
-/// The lesson's stored pictures belong to no single exercise: they show where those are wrong that are, or that one is, the one
-/// at hand, though all cases are right.
+/// The lesson's stored pictures belong to no single exercise. Every wrong one is shown the first picture that differs. If all
+/// cases are right and a picture still differs, the exercise at hand is wrong.
 void addPictures(std::map<std::string, Attempt>& attempts, const std::string& id, const std::vector<cases::Case>& own,
                  const cases::Subject& tracer, const Seen& seen)
 {

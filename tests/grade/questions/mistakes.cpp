@@ -91,7 +91,7 @@ bool isUnusual(const std::string& answer)
 /// Which share of the questions that the student or the mutant answers wrongly do both answer alike; 0 if those are too few.
 double explained(const Evidence& student, const Evidence& mutant)
 {
-    constexpr std::size_t fewest = 3; // one or two wrong answers may have many reasons, but for the same odd number
+    constexpr std::size_t fewest = 3; // fewer may have many reasons, unless they share an unusual number
     std::size_t same = 0, all = mutant.size();
     bool unusual = false;
     for (const auto& [question, answer] : student)

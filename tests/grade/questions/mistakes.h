@@ -27,9 +27,9 @@ struct WrongAnswers
     std::set<std::string> unfinished;         ///< exercises that have not been attempted, or that ask one that has not
 };
 
-/// By exercise: "n1 and n2 are swapped". A mistake is named for an exercise only if at least three (or fewer, with
-/// a number of five digits and more among them), and all but 1 in 20, of the questions that the student or the mutant answers wrongly are answered alike (numbers to five digits),
-/// and if the mutant fails in no exercise in which the student does not.
+/// By exercise: "n1 and n2 are swapped". Of the questions that the student or the mutant answers wrongly, all but 1 in 20 must be
+/// answered alike (numbers to five digits). These must be at least three, or one of them must hold a number of five digits or
+/// more. And the mutant must not fail in an exercise in which the student does not.
 std::map<std::string, std::string> likelyMistakes(const WrongAnswers& wrong, const std::vector<KnownMistake>& known);
 
 /// The wrong answers of a candidate to the lesson's own cases. Needs no lesson to compare with.
