@@ -10,7 +10,7 @@
 namespace rt
 {
 
-/// f = unit(target - eye), r = unit(f x up), u = r x f.
+/// f = unit(target - eye), r = unit(f x up), u = r x f. Throws UnfitNumber if a number does not fit Real.
 template <std::floating_point Real>
 class Camera
 {
@@ -25,6 +25,10 @@ public:
         above = cross(right, forward);
         const Real degree = std::numbers::pi_v<Real> / 180;
         halfHeight = portable::tan(Real(description.verticalFov) * degree / 2);
+        if (!(halfHeight > 0)) // rounded to 0, or to 180 degrees
+            throw UnfitNumber("camera.vertical_fov",
+                              "camera.vertical_fov = " + shortestDigits(description.verticalFov) +
+                                  " does not fit the tracer's scalar type");
     }
 
     /// The ray through the point (x, y) of the picture: x in [0, width] to the right, y in [0, height] down; the centre

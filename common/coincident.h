@@ -4,7 +4,9 @@
 #pragma once
 
 #include <numeric>
+#include <stdexcept>
 
+#include "common/bvh_build.h"
 #include "common/scene_description.h"
 
 namespace rt
@@ -17,7 +19,8 @@ struct FlatSheet
     std::vector<int> planes, triangles;
 };
 
-/// Finds them. Triangles are compared with planes, with loose triangles, and with those of other meshes.
+/// Finds them. Triangles are compared with planes, with loose triangles, and with those of other meshes. Throws
+/// std::runtime_error if it would take too long: 10^9 pairs of triangles in one place.
 class CoincidentSurfaces
 {
 public:
@@ -83,7 +86,7 @@ private:
         const Corners* corners;
         int index, owner;
         Vec N;
-        double area, nearest, farthest; ///< its plane's distance from the origin, up to rounding
+        double area;
     };
 
     /// Is the distance 0, up to the rounding of the numbers? Where the plane faces along an axis nothing is rounded: exactly 0.
@@ -103,13 +106,8 @@ private:
     static Facet facetOf(const Owned& triangle, int index)
     {
         const auto& [a, b, c] = *triangle.corners;
-        const Vec N = unit(cross(unit(b - a), unit(c - a)));
-        const double area = length(cross(b - a, c - a)), reach = std::abs(a.x) + std::abs(a.y) + std::abs(a.z);
-        // The normal of a small triangle far off zero, or of a narrow one, is less certain.
-        const double narrow = area / std::max({length(b - a), length(c - a), length(c - b)});
-        const double error = 32 * std::numeric_limits<double>::epsilon() * reach * (1 + reach / narrow);
-        const double distance = std::abs(dot(N, a));
-        return {triangle.corners, index, triangle.owner, N, area, distance - error, distance + error};
+        return {triangle.corners, index, triangle.owner, unit(cross(unit(b - a), unit(c - a))),
+                length(cross(b - a, c - a))};
     }
 
     void comparePlanes()
@@ -129,31 +127,75 @@ private:
         return largestChannel(abs(apart)) <= 8 * std::numeric_limits<double>::epsilon();
     }
 
-    /// In the order of their planes' distances from the origin, so that only those are compared that may share one.
+    /// Only those whose boxes meet, which a hierarchy of the boxes tells.
     void compareTriangles()
     {
         std::vector<Facet> facets;
         for (std::size_t i = 0; i < triangles.size(); ++i)
             if (const auto facet = facetOf(triangles[i], int(planes.size() + i)); facet.area > 0)
                 facets.push_back(facet);
-        std::sort(facets.begin(), facets.end(), [](const auto& a, const auto& b) { return a.nearest < b.nearest; });
-        std::vector<const Facet*> open;
-        long left = mostCompared;
+        if (facets.empty()) return;
+        const auto boxes = boxesOf(facets);
+        const BvhTree tree = BvhBuilder{boxes}.build();
+        long left = mostPairs;
+        for (std::size_t i = 0; i < facets.size(); ++i)
+            visitMeeting(tree, boxes, boxes[i], [&](std::size_t k) {
+                if (k >= i || facets[k].owner == facets[i].owner) return;
+                if (--left < 0)
+                    throw std::runtime_error(
+                        "too many triangles lie in one place, expected at most 10^9 pairs of them");
+                if (find(facets[k].index) != find(facets[i].index) && areAlike(facets[i], facets[k]))
+                    join(facets[k].index, facets[i].index);
+            });
+    }
+
+    /// In coordinates from -1 to 1, as the hierarchy has them; wider by more than all rounding.
+    static std::vector<Box<float>> boxesOf(const std::vector<Facet>& facets)
+    {
+        Box<double> all;
         for (const auto& facet : facets)
-        {
-            for (std::size_t k = 0; k < open.size();)
+            for (const auto& corner : *facet.corners) all.add(corner);
+        const Vec middle = all.middle(), half = all.high - middle;
+        const double size = largestChannel(half), reach = largestChannel(max(abs(all.low), abs(all.high)));
+        const double pad = double(std::numeric_limits<float>::epsilon()) * 8 +
+                           std::numeric_limits<double>::epsilon() * 128 * (reach / size);
+        std::vector<Box<float>> boxes(facets.size());
+        for (std::size_t i = 0; i < facets.size(); ++i)
+            for (const auto& corner : *facets[i].corners)
             {
-                if (--left < 0) return;
-                if (open[k]->farthest < facet.nearest)
-                {
-                    open[k] = open.back();
-                    open.pop_back();
-                    continue;
-                }
-                if (open[k]->owner != facet.owner && areAlike(facet, *open[k])) join(open[k]->index, facet.index);
-                ++k;
+                const Vec placed = (corner - middle) / size;
+                boxes[i].add(Vec3<float>(placed - pad));
+                boxes[i].add(Vec3<float>(placed + pad));
             }
-            open.push_back(&facet);
+        return boxes;
+    }
+
+    /// Calls visit(i) for each of the boxes that meets `box`.
+    template <class Visit>
+    static void visitMeeting(const BvhTree& tree, const std::vector<Box<float>>& boxes, const Box<float>& box,
+                             Visit&& visit)
+    {
+        const auto meets = [&](const float* low, const float* high, int step) {
+            for (int axis = 0; axis < 3; ++axis)
+                if (low[axis * step] > box.high[axis] || high[axis * step] < box.low[axis]) return false;
+            return true;
+        };
+        std::vector<std::int32_t> open{0};
+        while (!open.empty())
+        {
+            const auto entry = open.back();
+            open.pop_back();
+            if (entry >= 0)
+            {
+                const BvhNode& node = tree.nodes[std::size_t(entry)];
+                for (int k = 0; k < bvhWidth; ++k)
+                    if (node.children >> k & 1 && meets(node.planes + k, node.planes + k + 3 * bvhWidth, bvhWidth))
+                        open.push_back(node.child[k]);
+                continue;
+            }
+            for (const auto shape : tree.leaves[std::size_t(~entry)])
+                if (shape >= 0 && meets(&boxes[std::size_t(shape)].low.x, &boxes[std::size_t(shape)].high.x, 1))
+                    visit(std::size_t(shape));
         }
     }
 
@@ -195,8 +237,7 @@ private:
         root[std::size_t(std::max(a, b))] = std::min(a, b);
     }
 
-    /// Some 0.3 s. Only fine meshes that share large parts of one plane need more; what is left is not looked for.
-    static constexpr long mostCompared = 100'000'000;
+    static constexpr long mostPairs = 1'000'000'000; ///< some seconds
 
     std::vector<PlaneOf> planes;
     std::vector<Owned> triangles;

@@ -1,6 +1,8 @@
 // The module that picture_module.h loads; the one file that needs OpenImageIO.
 #include <algorithm>
+#include <cmath>
 #include <fstream>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 
@@ -26,11 +28,26 @@ struct ForgetErrors
     }
 };
 
+/// Neither kind of file may show infinity, or nothing, where a pixel is only larger than its numbers can be.
+void checkRange(const Image& image, bool isRadiance)
+{
+    // RGBE: a mantissa of 8 bits and exponents up to 127.
+    const double most = isRadiance ? std::ldexp(255.0 / 256, 127) : double(std::numeric_limits<float>::max());
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x)
+            for (int c = 0; c < 3; ++c)
+                if (const double value = image.at(x, y)[c]; std::isfinite(value) && std::abs(value) > most)
+                    throw std::runtime_error(
+                        fmt::format("pixel ({}, {}) has a channel of {:.3g}, expected at most {:.3g} in such a file", x,
+                                    y, value, most));
+}
+
 void writeLinear(const Image& image, const std::string& path)
 {
     const ForgetErrors forget;
     auto out = OIIO::ImageOutput::create(path);
     if (!out) throw std::runtime_error(OIIO::geterror());
+    checkRange(image, std::string(out->format_name()) == "hdr");
     OIIO::ImageSpec spec(image.width, image.height, 3, OIIO::TypeDesc::FLOAT);
     spec.attribute("oiio:ColorSpace", "Linear");
     spec.attribute("DateTime", "1970:01:01 00:00:00"); // else EXR takes the clock's, and equal pictures differ

@@ -152,8 +152,10 @@ bool RayTree::isContradicted(int id) const
 std::string contradictionText(const RayTree& tree, int id)
 {
     const auto& node = tree.nodes.at(std::size_t(id));
-    return fmt::format("n1 = {:.5g} by {}, but the ray comes from a medium of {:.5g}: ior_outside?", *node.n1,
-                       node.hit->primitive, *tree.mediumOf(id));
+    return fmt::format(
+        "{} says n1 = {:.5g}, but the ray comes through {:.5g}: is its ior_outside right, or that of the "
+        "surface before?",
+        node.hit->primitive, *node.n1, *tree.mediumOf(id));
 }
 
 std::string firstContradiction(const RayTree& tree)

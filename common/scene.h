@@ -36,7 +36,7 @@ public:
     Instructions instructions = bestInstructions(); ///< of intersect and occluded; pictures are the same for all
     Real brightest = 0; ///< no ray returns more, if there is a cutoff that asks for it; else 0
 
-    /// Converts each number once and normalises directions. Throws std::range_error if a number does not fit Real.
+    /// Converts each number once and normalises directions. Throws UnfitNumber if one does not fit Real.
     explicit Scene(const SceneDescription& description);
 
     /// The slides' IntersectScene: the nearest hit with t > 0, or nothing. A ray never meets again the plane or triangle

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "common/image.h"
@@ -113,6 +114,15 @@ struct MeshDescription
     int material = 0;
 };
 
+/// Where a value stands in a text; both count from 1, columns in code points.
+struct TextPlace
+{
+    int line = 0, column = 0;
+};
+
+/// Where each field of a scene file stands, by its name: `camera.eye`, `materials.glass.ior`, `sphere0.radius`.
+using FieldPlaces = std::unordered_map<std::string, TextPlace>;
+
 struct SceneDescription
 {
     std::string file; ///< where it came from, for messages and trees
@@ -126,7 +136,17 @@ struct SceneDescription
     std::vector<TriangleDescription> triangles;
     std::vector<MeshDescription> meshes;
     std::vector<Light<double>> lights;
-    std::vector<std::string> warnings; ///< what was left out on reading, each as `file:line:column: why`
+    std::vector<std::string> warnings;         ///< what was left out on reading, each as `file:line:column: why`
+    std::shared_ptr<const FieldPlaces> places; ///< in the file; shared, since scenes are copied; none if made by hand
+
+    /// "file:line:column: " of a field, as messages begin; "" if it is not from a file.
+    std::string placeOf(const std::string& field) const
+    {
+        if (!places) return "";
+        const auto found = places->find(field);
+        if (found == places->end()) return file + ": ";
+        return file + ":" + std::to_string(found->second.line) + ":" + std::to_string(found->second.column) + ": ";
+    }
 
     /// The pixel worth clicking, kept inside the picture.
     std::array<int, 2> pixel() const

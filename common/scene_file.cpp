@@ -44,8 +44,16 @@ struct Reading
 {
     const std::string& file;
     SceneDescription& scene;
+    FieldPlaces& places;
     std::unordered_map<std::string_view, int> materials; ///< index by name
 };
+
+/// What the next object of a list is called: "sphere0".
+template <class Object>
+std::string numbered(const char* kind, const std::vector<Object>& list)
+{
+    return kind + std::to_string(list.size());
+}
 
 void checkView(const SceneTable& table, const CameraDescription& camera)
 {
@@ -72,6 +80,7 @@ void readCamera(const Reading& reading, const toml::table& source)
 {
     auto& camera = reading.scene.camera;
     SceneTable table(reading.file, source, "[camera]");
+    table.notePlaces(reading.places, "camera");
     table.read("eye", camera.eye);
     table.read("target", camera.target);
     table.read("up", camera.up);
@@ -90,6 +99,7 @@ void readTrace(const Reading& reading, const toml::table& source)
 {
     auto& trace = reading.scene.trace;
     SceneTable table(reading.file, source, "[trace]");
+    table.notePlaces(reading.places, "trace");
     table.read("max_depth", trace.maxDepth, 0, deepestTrace);
     table.read("cutoff", trace.cutoff, notNegative);
     table.read("at_cap", trace.atCap, atCapWords);
@@ -176,6 +186,7 @@ Sun readSun(const Reading& reading, const toml::table& source)
                                          " greater than 0 and at most 180"};
     Sun sun;
     SceneTable table(reading.file, source, "the sun of [sky]");
+    table.notePlaces(reading.places, "sky.sun");
     table.require({"direction", "color"});
     table.read("direction", sun.direction);
     table.read("color", sun.color, notNegative);
@@ -191,6 +202,7 @@ void readSky(const Reading& reading, const toml::table& source)
     auto& sky = reading.scene.sky;
     sky.present = true;
     SceneTable table(reading.file, source, "[sky]");
+    table.notePlaces(reading.places, "sky");
     Vec3<double> zenith;
     table.read("color", sky.color, notNegative);
     table.read("horizon", sky.color, notNegative);
@@ -220,6 +232,7 @@ void readMaterial(const Reading& reading, const std::string& name, const toml::t
 {
     Material<double> material{.name = name};
     SceneTable table(reading.file, source, materialTitle(name));
+    table.notePlaces(reading.places, "materials." + name);
     table.read("color", material.color, zeroToOne);
     const bool mirrors = table.read("mirror", material.mirror, zeroToOne);
     const bool refracts = table.read("ior", material.ior, positiveNumber);
@@ -275,6 +288,7 @@ void readSphere(const Reading& reading, const toml::table& source)
 {
     SphereDescription sphere;
     SceneTable table(reading.file, source, "[[sphere]]");
+    table.notePlaces(reading.places, numbered("sphere", reading.scene.spheres));
     table.require({"center", "radius", "material"});
     table.read("center", sphere.center);
     table.read("radius", sphere.radius, positiveNumber);
@@ -286,6 +300,7 @@ void readChecker(const Reading& reading, const toml::table& source, PlaneDescrip
 {
     plane.hasChecker = true;
     SceneTable table(reading.file, source, "the checker of a [[plane]]");
+    table.notePlaces(reading.places, numbered("plane", reading.scene.planes) + ".checker");
     table.require({"color"});
     table.read("color", plane.checkerColor, zeroToOne);
     table.read("size", plane.checkerSize, positiveNumber);
@@ -296,6 +311,7 @@ void readPlane(const Reading& reading, const toml::table& source)
 {
     PlaneDescription plane;
     SceneTable table(reading.file, source, "[[plane]]");
+    table.notePlaces(reading.places, numbered("plane", reading.scene.planes));
     table.require({"point", "normal", "material"});
     table.read("point", plane.point);
     table.read("normal", plane.normal);
@@ -315,7 +331,10 @@ void readTriangle(const Reading& reading, const toml::table& source)
     table.read("vertices", triangle.vertices);
     triangle.material = materialOf(reading, table);
     if (!isDegenerate(triangle.vertices))
+    {
+        table.notePlaces(reading.places, numbered("triangle", reading.scene.triangles));
         reading.scene.triangles.push_back(triangle);
+    }
     else
         reading.scene.warnings.push_back(
             table.message(table.place("vertices"), "this [[triangle]] has no area and is left out"));
@@ -325,6 +344,7 @@ void readMesh(const Reading& reading, const toml::table& source)
 {
     MeshDescription mesh;
     SceneTable table(reading.file, source, "[[mesh]]");
+    table.notePlaces(reading.places, numbered("mesh", reading.scene.meshes));
     table.require({"file", "material"});
     table.read("file", mesh.file);
     mesh.material = materialOf(reading, table);
@@ -342,6 +362,7 @@ void readLight(const Reading& reading, const toml::table& source)
 {
     Light<double> light;
     SceneTable table(reading.file, source, "[[light]]");
+    table.notePlaces(reading.places, numbered("light", reading.scene.lights));
     table.require({"position", "color"});
     table.read("position", light.position);
     table.read("color", light.color, notNegative);
@@ -353,7 +374,8 @@ SceneDescription readScene(const toml::table& source, const std::string& file)
 {
     SceneDescription scene;
     scene.file = file;
-    Reading reading{file, scene, {}};
+    FieldPlaces places;
+    Reading reading{file, scene, places, {}};
 
     SceneTable table(file, source, "the scene");
     table.read("title", scene.title);
@@ -379,6 +401,7 @@ SceneDescription readScene(const toml::table& source, const std::string& file)
     for (const auto* light : lights) readLight(reading, *light);
     for (const auto& fault : {nestedGlassFault(scene), equalSphereFault(scene)})
         if (!fault.empty()) scene.warnings.push_back(fmt::format("{}: {}", file, fault));
+    scene.places = std::make_shared<const FieldPlaces>(std::move(places));
     return scene;
 }
 

@@ -9,7 +9,7 @@ namespace rt
 
 template <std::floating_point Real>
 Scene<Real>::Scene(const SceneDescription& description)
-    : camera(description.camera), settings(description.trace), sky(description.sky)
+try : camera(description.camera), settings(description.trace), sky(description.sky)
 {
     for (const auto& m : description.materials)
     {
@@ -24,7 +24,10 @@ Scene<Real>::Scene(const SceneDescription& description)
         mat.exponent = std::min(mat.exponent, 1 / std::numeric_limits<Real>::epsilon());
         if (mat.isDielectric())
             for (const Real ratio : {mat.ior / mat.iorOutside, mat.iorOutside / mat.ior})
-                narrow<Real>(double(ratio * ratio), "the square of n1 / n2 in " + name);
+                if (!std::isfinite(ratio * ratio) || ratio * ratio == 0)
+                    throw UnfitNumber(name + ".ior", "the square of n1 / n2 in " + name + " = " +
+                                                         shortestDigits(double(ratio) * double(ratio)) +
+                                                         " does not fit the tracer's scalar type");
     }
     for (const auto& s : description.spheres)
     {
@@ -33,8 +36,8 @@ Scene<Real>::Scene(const SceneDescription& description)
             {narrow<Real>(s.center, name + ".center"), narrow<Real>(s.radius, name + ".radius"), s.material});
         const Wide<Real> r = spheres.back().r;
         if (!isOrdinary(r * r))
-            throw std::range_error("the square of " + name + ".radius = " + shortestDigits(s.radius) +
-                                   " does not fit the tracer's scalar type");
+            throw UnfitNumber(name + ".radius", "the square of " + name + ".radius = " + shortestDigits(s.radius) +
+                                                    " does not fit the tracer's scalar type");
     }
     for (const auto& p : description.planes)
     {
@@ -70,8 +73,8 @@ Scene<Real>::Scene(const SceneDescription& description)
         const auto most = [](const Vec& v) { return largestChannel(abs(v)); };
         const auto size = std::max(most(Vec(b) - Vec(a)), most(Vec(c) - Vec(a))), far = std::max(most(Vec(a)), size);
         if (N != Vec(0) && !(isOrdinary(size * size * size) && isOrdinary(far * far * far)))
-            throw std::range_error(name + ": the third power of " + shortestDigits(double(far > 1 ? far : size)) +
-                                   " does not fit the tracer's scalar type");
+            throw UnfitNumber(name, name + ": the third power of " + shortestDigits(double(far > 1 ? far : size)) +
+                                        " does not fit the tracer's scalar type");
         triangles.push_back({a, b, c, Vec3<Real>(N), material});
     };
     for (const auto& t : description.triangles)
@@ -79,7 +82,8 @@ Scene<Real>::Scene(const SceneDescription& description)
     for (const auto& mesh : description.meshes)
     {
         meshes.push_back(PrimitiveId(triangles.size()));
-        for (const auto& vertices : *mesh.triangles) addTriangle(vertices, mesh.material, mesh.file);
+        const auto name = "mesh" + std::to_string(meshes.size() - 1) + ".file";
+        for (const auto& vertices : *mesh.triangles) addTriangle(vertices, mesh.material, name);
     }
     for (const auto& l : description.lights)
     {
@@ -98,6 +102,10 @@ Scene<Real>::Scene(const SceneDescription& description)
     sphereSearch = SphereSearch<Real>(spheres, SphereSearch<Real>::mostScanned, firstOfSpheres);
     triangleSearch = TriangleSearch<Real>(triangles);
     isScanned = spheres.size() <= SphereSearch<Real>::mostScanned && triangles.empty() && sheets.empty();
+}
+catch (const UnfitNumber& error)
+{
+    throw UnfitNumber(error.field, description.placeOf(error.field) + error.what());
 }
 
 } // namespace rt

@@ -202,6 +202,16 @@ public:
         return tables;
     }
 
+    /// Notes where the table's values stand, as fields of `owner`: `sphere0` gives `sphere0.radius`.
+    void notePlaces(FieldPlaces& places, const std::string& owner) const
+    {
+        for (const auto& [key, value] : table)
+        {
+            const auto& begin = value.source().begin;
+            places.emplace(owner + "." + std::string(key.str()), TextPlace{int(begin.line), int(begin.column)});
+        }
+    }
+
     void require(std::initializer_list<std::string_view> keys) { required = keys; }
 
     /// Refuses two keys that contradict each other, at the later one.

@@ -44,7 +44,7 @@ class Sky
 {
 public:
     explicit Sky(const SkyDescription& sky)
-        : horizon(narrowColor<Real>(sky.color, "sky.color")),
+        : horizon(narrowColor<Real>(sky.color, sky.zenith ? "sky.horizon" : "sky.color")),
           zenith(narrowColor<Real>(sky.zenith.value_or(sky.color), "sky.zenith")), gradient(sky.zenith.has_value()),
           mapping(sky.mapping), image(sky.image)
     {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "common/ray_limit.h"
+#include "common/scene.h"
 
 namespace rt
 {
@@ -58,6 +59,16 @@ std::string growthWarning(const SceneDescription& scene, const FeatureSet& model
         "{}: at depth {} a pixel can lead to 2^{} rays, since glass splits each in two; one that leads to more "
         "than {} is refused",
         scene.file, depth, depth, rayLimitText);
+}
+
+std::string cutoffWarning(const SceneDescription& scene, const FeatureSet& models)
+{
+    const double cutoff = scene.trace.cutoff;
+    if (!(cutoff > 0) || !has(models, Feature::policies)) return "";
+    const double brightest = Scene<double>(scene).brightest;
+    if (brightest >= cutoff || brightest == 0) return "";
+    return fmt::format("{}cutoff = {} is more than any ray can bring, which is at most {:.3g} here: no ray is traced",
+                       scene.placeOf("trace.cutoff"), cutoff, brightest);
 }
 
 } // namespace rt

@@ -12,4 +12,7 @@ namespace rt
 /// features sees splits rays at each depth; else empty. With a cutoff nothing is foretold: it bounds the tree in its own way.
 std::string growthWarning(const SceneDescription& scene, const FeatureSet& models);
 
+/// A sentence if [trace] cutoff is above all light there is, so that not even camera rays are traced; "" otherwise.
+std::string cutoffWarning(const SceneDescription& scene, const FeatureSet& models);
+
 } // namespace rt

@@ -93,13 +93,20 @@ inline std::string shortestDigits(double x)
     return {digits, std::to_chars(digits, digits + sizeof digits, x).ptr};
 }
 
-/// `value` in Real; throws std::range_error, naming `what`, if it overflows, or vanishes though it was not zero.
+/// A number that a scalar type cannot hold; `field` names it as a scene's description does: `sphere0.radius`.
+struct UnfitNumber : std::range_error
+{
+    UnfitNumber(std::string name, const std::string& sentence) : std::range_error(sentence), field(std::move(name)) {}
+    std::string field;
+};
+
+/// `value` in Real; throws UnfitNumber, naming `what`, if it overflows, or vanishes though it was not zero.
 template <std::floating_point Real>
 Real narrow(double value, const std::string& what)
 {
     const Real narrowed = Real(value);
     if (!std::isfinite(narrowed) || (narrowed == 0 && value != 0))
-        throw std::range_error(what + " = " + shortestDigits(value) + " does not fit the tracer's scalar type");
+        throw UnfitNumber(what, what + " = " + shortestDigits(value) + " does not fit the tracer's scalar type");
     return narrowed;
 }
 

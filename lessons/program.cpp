@@ -77,7 +77,8 @@ int run(const LessonEntry& lesson, const SceneDescription& scene, const LessonOp
     const bool wantsPicture = !options.wantsTree() || !options.out.empty();
     const auto picture = options.out.empty() ? command + ".png" : options.out;
     if (wantsPicture) checkWritable(picture);
-    if (const auto warning = growthWarning(scene, lesson.models); !warning.empty()) std::cerr << warning << '\n';
+    for (const auto& warning : {growthWarning(scene, lesson.models), cutoffWarning(scene, lesson.models)})
+        if (!warning.empty()) std::cerr << warning << '\n';
     watchInterrupt();
     if (options.wantsTree()) printTree(lesson, scene, options, formulas);
     return wantsPicture ? renderPicture(lesson, scene, options, picture) : int(exitDone);

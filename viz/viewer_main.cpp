@@ -162,8 +162,9 @@ Session chooseSession(ViewerOptions options, std::string& problem)
     if (options.tracer.empty())
     {
         checkModels(*lesson, session.scene, options.force);
-        if (const auto warning = growthWarning(session.scene, lesson->models); !warning.empty())
-            std::cerr << warning << '\n';
+        for (const auto& warning :
+             {growthWarning(session.scene, lesson->models), cutoffWarning(session.scene, lesson->models)})
+            if (!warning.empty()) std::cerr << warning << '\n';
         session.source = lessonSource(*lesson, options.precision());
         session.render.progress = progressBar(fmt::format("lesson {:02}", lesson->number));
     }

@@ -49,6 +49,35 @@ TEST_F(ImageFile, HdrKeepsLinearValuesToOnePercent)
     EXPECT_NEAR(read.at(4, 2).x, 100, 1);
 }
 
+TEST_F(ImageFile, OfLinearValuesShowsNoInfinityWhereThereIsNone)
+{
+    Image image = gradient();
+    const auto reasonOf = [&](const char* name) -> std::string {
+        try
+        {
+            writeImage(image, (folder / name).string());
+            return "";
+        }
+        catch (const std::runtime_error& error)
+        {
+            return std::string(error.what()).substr(folder.string().size() + 1);
+        }
+    };
+    image.at(3, 1).y = 1e38;
+    EXPECT_EQ(reasonOf("a.exr"), "");
+    EXPECT_EQ(reasonOf("a.hdr"), "");
+    EXPECT_NEAR(readImage((folder / "a.hdr").string()).at(3, 1).y, 1e38, 1e36);
+    image.at(3, 1).y = 2e38;
+    EXPECT_EQ(reasonOf("a.exr"), "");
+    EXPECT_EQ(
+        reasonOf("b.hdr"),
+        "b.hdr: cannot be written: pixel (3, 1) has a channel of 2e+38, expected at most 1.69e+38 in such a file");
+    image.at(3, 1).y = 5e59;
+    EXPECT_EQ(reasonOf("b.exr"),
+              "b.exr: cannot be written: pixel (3, 1) has a channel of 5e+59, expected at most 3.4e+38 in such a file");
+    EXPECT_EQ(files(), 2u);
+}
+
 TEST_F(ImageFile, PngIsSrgbAndClamped)
 {
     const auto path = (folder / "a.PNG").string();

@@ -46,7 +46,8 @@ TEST(Media, TellWhereTwoSurfacesContradictEachOther)
         EXPECT_FALSE(right.isContradicted(i)) << i;
         EXPECT_EQ(wrong.mediumOf(i).value_or(0), medium[std::size_t(i)]) << i;
     }
-    const std::string sentence = "n1 = 1 by sphere1, but the ray comes from a medium of 1.25: ior_outside?";
+    const std::string sentence =
+        "sphere1 says n1 = 1, but the ray comes through 1.25: is its ior_outside right, or that of the surface before?";
     EXPECT_EQ(contradictionText(wrong, 1), sentence);
     EXPECT_EQ(firstContradiction(wrong), "balls.toml: ray 1 of the tree: " + sentence);
     EXPECT_EQ(firstContradiction(right), "");

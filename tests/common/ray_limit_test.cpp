@@ -189,6 +189,31 @@ TEST(RayLimit, AStoppedPictureReturns)
     findLesson(8)->render(scene, Precision::doubled, {.spp = 65536, .stop = &stop});
 }
 
+TEST(Cutoff, AboveAllLightIsForetold)
+{
+    const auto warning = [](double cutoff, int lesson) {
+        auto scene = panes(2, 4);
+        scene.trace.cutoff = cutoff;
+        return cutoffWarning(scene, findLesson(lesson)->models);
+    };
+    const double brightest = Scene<double>([] {
+                                 auto scene = panes(2, 4);
+                                 scene.trace.cutoff = 1;
+                                 return scene;
+                             }())
+                                 .brightest;
+    EXPECT_EQ(warning(brightest, 8), "");
+    EXPECT_EQ(warning(0, 8), "");
+    EXPECT_EQ(warning(1e300, 6), "") << "knows no cutoff";
+    const auto said = warning(1e300, 7);
+    EXPECT_EQ(said.substr(0, 63), "cutoff = 1e+300 is more than any ray can bring, which is at mos") << said;
+    EXPECT_NE(said.find(": no ray is traced"), said.npos);
+    auto dark = panes(2, 4);
+    dark.lights.clear();
+    dark.trace.cutoff = 1;
+    EXPECT_EQ(cutoffWarning(dark, findLesson(8)->models), "") << "black in any case";
+}
+
 TEST(TreeGrowth, IsForetoldWhereATreeCanExceedTheLimit)
 {
     const auto lesson = [](int number) { return findLesson(number)->models; };

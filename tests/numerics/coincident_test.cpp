@@ -1,5 +1,7 @@
 // Surfaces that lie on one another: which one a ray meets is decided by what they are, never by rounding. So the same ray meets
 // the same surfaces in the same order wherever the scene is moved to, however it is turned, in all types and instruction sets.
+#include <map>
+
 #include "tests/numerics/extremes.h"
 
 namespace rt::numerics
@@ -291,6 +293,75 @@ TEST(Coincidence, IsWhatTheFileSaysAndNoMore)
     scene.triangles.push_back({{V(0.1, 0, 0.2), V(0.9, 0, 0.2), V(0, 0, 3)}, opaque});
     EXPECT_EQ(CoincidentSurfaces(scene).sheets().size(), 1u);
     EXPECT_EQ(CoincidentSurfaces(scene).sheets()[0].triangles.size(), 3u);
+}
+
+/// Those of each pair of objects, put together: what all of them at once must give.
+std::size_t sheetsByPairs(const SceneDescription& scene)
+{
+    std::vector<std::size_t> first{0}; // triangle of each mesh
+    for (const auto& mesh : scene.meshes) first.push_back(first.back() + mesh.triangles->size());
+    std::vector<int> group(first.back());
+    std::iota(group.begin(), group.end(), 0);
+    for (std::size_t i = 0; i < scene.meshes.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k)
+        {
+            auto pair = empty();
+            pair.meshes = {scene.meshes[k], scene.meshes[i]};
+            const auto all = [&](int triangle) {
+                const auto its = std::size_t(triangle), count = pair.meshes[0].triangles->size();
+                return its < count ? first[k] + its : first[i] + its - count;
+            };
+            for (const auto& sheet : CoincidentSurfaces(pair).sheets())
+                for (const int triangle : sheet.triangles)
+                {
+                    const int from = group[all(triangle)], to = group[all(sheet.triangles[0])];
+                    std::replace(group.begin(), group.end(), from, to);
+                }
+        }
+    std::map<int, int> size;
+    for (const int one : group) ++size[one];
+    return std::size_t(std::ranges::count_if(size, [](const auto& one) { return one.second > 1; }));
+}
+
+TEST(Coincidence, OfManyObjectsIsThatOfTheirPairs)
+{
+    Random random(1608);
+    for (const auto& frame : frames(random))
+    {
+        auto scene = empty();
+        const auto grid = [&] { return std::round(random.in(-4, 4)); }; // so that many faces share a plane
+        for (int i = 0; i < 40; ++i)
+        {
+            const V low(grid(), grid(), grid());
+            addMesh(scene, box(low, low + V(1 + std::abs(grid()), 1, 1 + std::abs(grid())), frame), i % 2);
+        }
+        const auto sheets = CoincidentSurfaces(scene).sheets();
+        EXPECT_EQ(sheets.size(), sheetsByPairs(scene)) << "at " << frame.at.x << ", turned to " << frame.y.x;
+        EXPECT_GT(sheets.size(), 5u);
+    }
+}
+
+TEST(Coincidence, IsFoundAmongManyTrianglesOfOnePlane)
+{
+    // 80,000 of them, in two nets over one another: their pairs are 10^9 and more, those that meet few.
+    auto scene = empty();
+    for (const double shift : {0.0, 0.5})
+    {
+        Triangles net;
+        for (int x = 0; x < 141; ++x)
+            for (int z = 0; z < 141; ++z)
+            {
+                const V at(x + shift, 0, z + shift);
+                net.push_back({at, at + V(1, 0, 0), at + V(1, 0, 1)});
+                net.push_back({at, at + V(1, 0, 1), at + V(0, 0, 1)});
+            }
+        addMesh(scene, net, opaque);
+    }
+    addMesh(scene, box(V(200, -1, 200), V(201, 0, 201), {}), glass); // beside both
+    addMesh(scene, box(V(100.2, 0, 100.2), V(100.4, 1, 100.4), {}), glass);
+    const auto sheets = CoincidentSurfaces(scene).sheets();
+    ASSERT_EQ(sheets.size(), 1u);
+    EXPECT_EQ(sheets[0].triangles.size(), 2u * 2 * 141 * 141 + 2);
 }
 
 } // namespace

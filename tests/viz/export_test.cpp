@@ -138,9 +138,10 @@ Traced trace(const std::string& file)
 }
 
 const std::vector<std::string> files{
-    "lessons/02_mirrors/scenes/pure_specular.toml",     "lessons/03_partial_reflection/scenes/half_specular.toml",
-    "lessons/05_refraction/scenes/slab.toml",           "lessons/06_fresnel/scenes/half_and_glass.toml",
-    "lessons/07_recursion_caps/scenes/mirror_box.toml", "lessons/08_phong/scenes/everything.toml"};
+    "lessons/02_mirrors/scenes/pure_specular.toml", "lessons/03_partial_reflection/scenes/half_specular.toml",
+    "lessons/05_refraction/scenes/slab.toml",       "lessons/06_fresnel/scenes/half_and_glass.toml",
+    "lessons/06_fresnel/scenes/gem.toml",           "lessons/07_recursion_caps/scenes/mirror_box.toml",
+    "lessons/08_phong/scenes/everything.toml"};
 const std::string glass = "lessons/06_fresnel/scenes/half_and_glass.toml";
 
 std::string nameOf(const RayTree::Node& ray)

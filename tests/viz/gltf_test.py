@@ -19,8 +19,8 @@ import npm_packages  # noqa: E402
 SCENES = [(2, "02_mirrors", "pure_specular"), (2, "02_mirrors", "facing_mirrors"), (3, "03_partial_reflection", "half_specular"),
           (4, "04_hdr_sky", "probe"), (5, "05_refraction", "glass_ball"), (5, "05_refraction", "bubble"),
           (5, "05_refraction", "slab"), (6, "06_fresnel", "half_and_glass"), (6, "06_fresnel", "water"),
-          (7, "07_recursion_caps", "mirror_box"), (7, "07_recursion_caps", "glass_shadow"), (8, "08_phong", "everything"),
-          (8, "08_phong", "exponents")]
+          (6, "06_fresnel", "gem"), (7, "07_recursion_caps", "mirror_box"), (7, "07_recursion_caps", "glass_shadow"),
+          (8, "08_phong", "everything"), (8, "08_phong", "exponents")]
 SMALL = 1 << 20  # bytes of a tree of ten rays
 VALIDATE = """
 const validator = require(process.argv[1]);

@@ -15,7 +15,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 WIDTHS = [(360, 800), (768, 1024), (1280, 720), (1920, 1080)]
 GLASS = "lessons/06_fresnel/scenes/half_and_glass.toml"
 SHOTS = ["2 lessons/02_mirrors/scenes/pure_specular.toml", "3 lessons/03_partial_reflection/scenes/half_specular.toml",
-         "5 lessons/05_refraction/scenes/glass_ball.toml", "6 " + GLASS, "7 lessons/07_recursion_caps/scenes/mirror_box.toml",
+         "5 lessons/05_refraction/scenes/glass_ball.toml", "6 " + GLASS, "6 lessons/06_fresnel/scenes/gem.toml", "7 lessons/07_recursion_caps/scenes/mirror_box.toml",
          "8 lessons/08_phong/scenes/everything.toml"]
 
 sys.path.insert(0, str(ROOT / "tests"))
