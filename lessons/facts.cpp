@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "common/scene_file.h"
+#include "common/files/scene_file.h"
 
 namespace rt
 {

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "common/lesson_facts.h"
+#include "common/program/lesson_facts.h"
 
 namespace rt
 {

@@ -1,7 +1,7 @@
 // The lecture's functions, for explanations.
 #pragma once
 
-#include "common/explain.h"
+#include "common/tree/explain.h"
 
 namespace rt
 {

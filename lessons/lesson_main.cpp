@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "common/lesson_entry.h"
+#include "common/program/lesson_entry.h"
 #include "lessons/formulas.h"
 
 namespace rt

@@ -6,7 +6,7 @@
 namespace rt
 {
 
-/// Runs the command line of one lesson and returns its exit code (ExitCode in common/cli.h).
+/// Runs the command line of one lesson and returns its exit code (ExitCode in common/program/cli.h).
 int lessonMain(const LessonEntry& lesson, int argc, char** argv, const std::vector<ExtraOption>& extra = {});
 
 } // namespace rt

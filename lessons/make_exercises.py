@@ -74,7 +74,7 @@ def exercise(trace, entries, solved):
     text = re.sub(r"^template <std::floating_point Real>\n", "using Real = double;\n\n", text, flags=re.M)
     text = re.sub(r"^template <.*>\n", "using Real = double;\nusing Recorder = TreeRecorder<Real>;\n\n", text, flags=re.M)
     name = "solved" if solved else "exercise"
-    text = text.replace(f"lesson{number}", f"{name}{number}").replace('"common/lesson.h"', '"common/exercise.h"')
+    text = text.replace(f"lesson{number}", f"{name}{number}").replace('"common/scene/lesson.h"', '"common/exercise.h"')
     title = re.match(r"// Lesson (?P<title>.*)\n", text)["title"]
     made = f"Made from {trace.name} by make_exercises.py: the TODOs are yours."
     return text.replace(f"// Lesson {title}\n", f"// Exercise {title}\n// {made}\n")

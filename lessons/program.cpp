@@ -4,9 +4,10 @@
 
 #include <fmt/format.h>
 
-#include "common/explain.h"
-#include "common/scene_file.h"
-#include "common/tree_growth.h"
+#include "common/files/picture_file.h"
+#include "common/files/scene_file.h"
+#include "common/tree/explain.h"
+#include "common/tree/tree_growth.h"
 #include "lessons/program_main.h"
 
 namespace rt

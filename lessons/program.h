@@ -1,8 +1,8 @@
 // What the programs of lessons and exercises, and `render`, have in common.
 #pragma once
 
-#include "common/cli.h"
-#include "common/explain.h"
+#include "common/program/cli.h"
+#include "common/tree/explain.h"
 #include "lessons/facts.h"
 
 namespace rt

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "common/guarded_main.h"
-#include "common/scene_file.h"
+#include "common/files/scene_file.h"
+#include "common/program/guarded_main.h"
 #include "lessons/formulas.h"
 #include "lessons/program.h"
 #include "lessons/registry.h"

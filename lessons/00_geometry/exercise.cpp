@@ -1,5 +1,5 @@
 #include "exercise.h"
-#include "common/guarded_main.h"
+#include "common/program/guarded_main.h"
 #include "lessons/00_geometry/tutorial.h"
 
 int main(int argc, char** argv)

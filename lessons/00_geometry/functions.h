@@ -7,7 +7,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "common/vec.h"
+#include "common/base/vec.h"
 
 namespace rt::lesson00
 {

@@ -1,7 +1,7 @@
 // Lesson 00, geometry. Lecture: "Tutorial 2 - Geometry".
 #pragma once
 
-#include "common/lesson.h"
+#include "common/scene/lesson.h"
 
 namespace rt::lesson00
 {

@@ -1,4 +1,4 @@
-#include "common/guarded_main.h"
+#include "common/program/guarded_main.h"
 #include "lessons/00_geometry/geometry.h"
 #include "lessons/00_geometry/tutorial.h"
 

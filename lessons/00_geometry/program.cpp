@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "common/cli.h"
-#include "common/image.h"
+#include "common/files/text_file.h"
+#include "common/program/cli.h"
 #include "lessons/00_geometry/tutorial.h"
 
 namespace rt::lesson00

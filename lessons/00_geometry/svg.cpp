@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
-#include "common/markup.h"
+#include "common/files/markup.h"
 
 namespace rt::lesson00
 {

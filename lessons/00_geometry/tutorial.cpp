@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "common/todo.h"
+#include "common/base/todo.h"
 
 namespace rt::lesson00
 {

@@ -1,6 +1,6 @@
 #include "exercise.h"
-#include "common/exercise_entry.h"
-#include "common/guarded_main.h"
+#include "common/program/exercise_entry.h"
+#include "common/program/guarded_main.h"
 #include "lessons/exercise_main.h"
 #include "lessons/facts.h"
 

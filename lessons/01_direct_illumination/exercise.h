@@ -26,7 +26,7 @@ struct Tracer
     // What does this ray see?
     Color trace(const Ray& ray)
     {
-        // IntersectScene: common/scene.h asks each object through the formulas of common/shapes.h.
+        // IntersectScene: common/scene/scene.h asks each object through the formulas of common/base/shapes.h.
         const auto hit = scene.intersect(ray, *this);
         rec.ray(ray, hit);
         if (!hit) return BLACK;

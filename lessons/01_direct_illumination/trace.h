@@ -1,7 +1,7 @@
 // Lesson 01, direct illumination. Lecture: "Whitted-style Ray Tracing, Pseudocode", first version.
 #pragma once
 
-#include "common/lesson.h"
+#include "common/scene/lesson.h"
 
 namespace rt::lesson01
 {
@@ -23,7 +23,7 @@ struct Tracer
     // What does this ray see?
     Color trace(const Ray& ray)
     {
-        // IntersectScene: common/scene.h asks each object through the formulas of common/shapes.h.
+        // IntersectScene: common/scene/scene.h asks each object through the formulas of common/base/shapes.h.
         // EXERCISE: const auto hit = scene.intersect(ray, *this);
         const auto hit = scene.intersect(ray);
         rec.ray(ray, hit);
@@ -67,7 +67,7 @@ struct Tracer
         return visible;
     }
 
-    // EXERCISE-FROM common/shapes.h: intersectSphere intersectPlane
+    // EXERCISE-FROM common/base/shapes.h: intersectSphere intersectPlane
 };
 
 } // namespace rt::lesson01

@@ -1,4 +1,4 @@
-#include "common/guarded_main.h"
+#include "common/program/guarded_main.h"
 #include "lessons/entries.h"
 #include "lessons/lesson_main.h"
 

@@ -1,7 +1,7 @@
 // Lesson 02, mirrors. Lecture: "Reflected Vector", "Light Transport", pseudocode second version.
 #pragma once
 
-#include "common/lesson.h"
+#include "common/scene/lesson.h"
 
 namespace rt::lesson02
 {

@@ -1,7 +1,7 @@
 // Lesson 03, partial reflection. Lecture: "Partially Reflective Surfaces".
 #pragma once
 
-#include "common/lesson.h"
+#include "common/scene/lesson.h"
 
 namespace rt::lesson03
 {

@@ -1,4 +1,5 @@
-#include "common/guarded_main.h"
+#include "common/files/picture_file.h"
+#include "common/program/guarded_main.h"
 #include "lessons/entries.h"
 #include "lessons/lesson_main.h"
 #include "make_sky.h"

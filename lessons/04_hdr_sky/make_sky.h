@@ -1,7 +1,7 @@
 // A sky to reflect, made by a formula: so the lesson needs no download.
 #pragma once
 
-#include "common/image.h"
+#include "common/base/image.h"
 
 namespace rt
 {

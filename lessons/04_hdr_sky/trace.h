@@ -1,7 +1,7 @@
 // Lesson 04, HDR sky. Lecture: "Reflecting a HDR Sky".
 #pragma once
 
-#include "common/lesson.h"
+#include "common/scene/lesson.h"
 
 namespace rt::lesson04
 {
@@ -85,7 +85,7 @@ struct Tracer
         return visible;
     }
 
-    // EXERCISE-FROM common/sky.h: latLong
+    // EXERCISE-FROM common/scene/sky.h: latLong
 };
 
 } // namespace rt::lesson04

@@ -1,7 +1,7 @@
 // Lesson 05, refraction. Lecture: "Dielectrics", Snell's law and the transmitted vector.
 #pragma once
 
-#include "common/lesson.h"
+#include "common/scene/lesson.h"
 
 namespace rt::lesson05
 {

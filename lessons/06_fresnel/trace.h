@@ -1,7 +1,7 @@
 // Lesson 06, Fresnel. Lecture: "Dielectrics", a typical dielectric transmits and reflects light.
 #pragma once
 
-#include "common/lesson.h"
+#include "common/scene/lesson.h"
 
 namespace rt::lesson06
 {

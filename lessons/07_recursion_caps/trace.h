@@ -1,7 +1,7 @@
 // Lesson 07, recursion caps. Lecture: "Ray Tree", "Cap recursion".
 #pragma once
 
-#include "common/lesson.h"
+#include "common/scene/lesson.h"
 
 namespace rt::lesson07
 {

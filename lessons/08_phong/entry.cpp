@@ -1,4 +1,4 @@
-#include "common/lesson_entry.h"
+#include "common/program/lesson_entry.h"
 #include "lessons/entries.h"
 #include "lessons/facts.h"
 

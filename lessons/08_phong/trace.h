@@ -1,7 +1,7 @@
 // Lesson 08, Phong. Lecture: "Shading": diffuse, glossy, Phong.
 #pragma once
 
-#include "common/lesson.h"
+#include "common/scene/lesson.h"
 
 namespace rt::lesson08
 {

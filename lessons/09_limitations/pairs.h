@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "common/lesson_entry.h"
+#include "common/program/lesson_entry.h"
 
 namespace rt::lesson09
 {

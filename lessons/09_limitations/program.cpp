@@ -2,9 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "common/cli.h"
-#include "common/scene_file.h"
-#include "common/tree_growth.h"
+#include "common/files/picture_file.h"
+#include "common/files/scene_file.h"
+#include "common/program/cli.h"
+#include "common/tree/tree_growth.h"
 #include "lessons/entries.h"
 #include "lessons/facts.h"
 #include "pairs.h"

@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "common/lesson.h"
+#include "common/scene/lesson.h"
 
 namespace rt::lesson09
 {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "common/recorder.h"
-#include "common/scene.h"
+#include "common/scene/recorder.h"
+#include "common/scene/scene.h"
 
 #include "subject.h"
 

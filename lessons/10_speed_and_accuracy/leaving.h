@@ -1,7 +1,7 @@
 // How the next ray leaves the surface that it starts on, five ways. All but the last are exhibits.
 #pragma once
 
-#include "common/ray.h"
+#include "common/base/ray.h"
 
 namespace rt::lesson10
 {

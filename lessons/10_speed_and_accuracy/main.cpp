@@ -1,4 +1,4 @@
-#include "common/guarded_main.h"
+#include "common/program/guarded_main.h"
 #include "exhibits.h"
 
 int main(int argc, char** argv)

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "common/image.h"
+#include "common/base/image.h"
 
 #include "subject.h"
 

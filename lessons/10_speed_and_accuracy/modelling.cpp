@@ -4,7 +4,7 @@
 #include <chrono>
 #include <filesystem>
 
-#include "common/program.h"
+#include "common/program/program.h"
 #include "lessons/01_direct_illumination/trace.h"
 #include "lessons/02_mirrors/trace.h"
 #include "lessons/03_partial_reflection/trace.h"

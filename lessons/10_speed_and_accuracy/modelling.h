@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "common/lesson_entry.h"
+#include "common/program/lesson_entry.h"
 
 #include "study.h"
 

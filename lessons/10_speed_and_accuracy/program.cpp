@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "common/cli.h"
-#include "common/scene_file.h"
+#include "common/files/picture_file.h"
+#include "common/files/scene_file.h"
+#include "common/program/cli.h"
 #include "exhibits.h"
 #include "lessons/09_limitations/pairs.h"
 #include "subject.h"

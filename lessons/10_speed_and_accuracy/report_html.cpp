@@ -3,8 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "common/base64.h"
-#include "common/markup.h"
+#include "common/files/base64.h"
+#include "common/files/markup.h"
+#include "common/files/picture_file.h"
 #include "pareto.h"
 #include "report.h"
 #include "units.h"

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "common/markup.h"
+#include "common/files/markup.h"
 #include "report.h"
 #include "units.h"
 

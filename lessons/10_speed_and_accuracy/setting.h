@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "common/scene_description.h"
+#include "common/scene/scene_description.h"
 
 namespace rt::lesson10
 {

@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "common/shapes.h"
+#include "common/base/shapes.h"
 
 namespace rt::lesson10
 {
@@ -43,7 +43,7 @@ struct QForm
     }
 };
 
-// The cure, as in common/shapes.h: the discriminant from the part of O - C at right angles to D. `Wide` is the type that it
+// The cure, as in common/base/shapes.h: the discriminant from the part of O - C at right angles to D. `Wide` is the type that it
 // computes in, if that is wider than the ray's own: double is what the course does for float.
 template <std::floating_point Wide>
 struct Haines

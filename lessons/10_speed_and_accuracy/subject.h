@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "common/render.h"
+#include "common/scene/render.h"
 
 #include "setting.h"
 

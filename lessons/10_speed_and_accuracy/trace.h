@@ -3,7 +3,7 @@
 // Schlick's angle. With the good ones the picture has the bits of lesson 08.
 #pragma once
 
-#include "common/lesson.h"
+#include "common/scene/lesson.h"
 
 namespace rt::lesson10
 {

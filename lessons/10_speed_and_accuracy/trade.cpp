@@ -6,8 +6,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "common/cli.h"
-#include "common/scene_file.h"
+#include "common/files/picture_file.h"
+#include "common/files/scene_file.h"
+#include "common/files/text_file.h"
+#include "common/program/cli.h"
 #include "lessons/entries.h"
 #include "lessons/registry.h"
 #include "recommend.h"

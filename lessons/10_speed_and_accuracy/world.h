@@ -1,7 +1,7 @@
 // A scene with the choices of this lesson: what lesson 10's Tracer calls `scene`.
 #pragma once
 
-#include "common/scene.h"
+#include "common/scene/scene.h"
 
 #include "leaving.h"
 #include "sphere_formulas.h"

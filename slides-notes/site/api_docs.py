@@ -36,7 +36,7 @@ SKIPPED = {"private"}
 
 def read(cache, children):
     """The folder with Doxygen's XML of the headers as they are now."""
-    headers = sorted((ROOT / "common").glob("*.h"))
+    headers = sorted((ROOT / "common").rglob("*.h"))
     key = hashlib.sha256((SETTINGS + "".join(header.name + digest(header) for header in headers)).encode()).hexdigest()[:32]
     folder = cache / f"doxygen-{key}"
     if folder.is_dir():
@@ -52,6 +52,11 @@ def read(cache, children):
             raise SiteError(f"doxygen: {(done.stderr.strip() or 'it failed').splitlines()[0]}")
         (Path(place) / "xml").rename(folder)
     return folder
+
+
+def path_of(header):
+    """scene.h -> common/scene/scene.h: no name is there twice."""
+    return next((ROOT / "common").rglob(header))
 
 
 class Pages:
@@ -126,7 +131,7 @@ class Pages:
         code = "\n".join(coloured(tidy(self.signature(member)) + "\n", "cpp"))
         place = member.find("location")
         line = place.get("line")
-        source = f"../{self.site.address_of(ROOT / 'common' / page.removesuffix('.html'))}#L{line}"
+        source = f"../{self.site.address_of(path_of(page.removesuffix('.html')))}#L{line}"
         _, anchor = self.anchors[member.get("id")]
         told = self.told(member, page)
         values = "".join(f"<dt><code>{html.escape(v.findtext('name'))}</code></dt><dd>{self.told(v, page)}</dd>"
@@ -172,9 +177,9 @@ def write(site):
                 taken.add(anchor)
                 pages.anchors[each.get("id")] = (f"{header}.html", anchor)
     rows = []
-    for header in sorted(by_header):
+    for header in sorted(by_header, key=path_of):
         title, body, headings, names = header_page(pages, header, by_header[header], types)
-        rows.append(f'<tr><td><a href="{header}.html"><code>{header}</code></a></td><td>{names}</td></tr>')
+        rows.append(f'<tr><td><a href="{header}.html"><code>{path_of(header).relative_to(ROOT / "common")}</code></a></td><td>{names}</td></tr>')
         from site_pages import Page
         site.write(Page(f"api/{header}.html", title, "api"), (title, body, headings))
     intro = ("<h1>Functions and types of common/</h1><p>What the lecture does not show: scenes, pictures, rays, the ray tree. "
@@ -200,7 +205,7 @@ def header_page(pages, header, found, types):
         inner = pages.data(members_of(one, ("variable",)), page)
         inner += "".join(pages.member(m, page, 3) for m in members_of(one, ("function", "enum", "typedef")))
         parts.append(f'<section class="type"><h2 id="{anchor}">{one.get("kind") or "concept"} {html.escape(name)}</h2>{pages.told(one, page)}{inner}</section>')
-    source = pages.site.address_of(ROOT / "common" / header)
-    title = f"common/{header}"
+    source = pages.site.address_of(path_of(header))
+    title = str(path_of(header).relative_to(ROOT))
     body = f'<h1 class="file">{title}</h1><p><a href="../{source}">The file itself</a> · <a href="index.html">all headers</a></p>{"".join(parts)}'
     return title, body, headings, ", ".join(dict.fromkeys(names))

@@ -47,7 +47,7 @@ def navigation(api):
         name, group = KNOWN.get(path.name, (title_of(path), MORE))
         groups[group].append(Page(ADDRESSES.get(path.name, f"{path.stem}.html"), name, "text", path))
     groups[REFERENCE].append(Page("scenes.html", "Scene files", "text", ROOT / "common/SCENES.md"))
-    groups[REFERENCE].append(Page("ray-tree-json.html", "RayTree JSON", "schema", ROOT / "common/ray_tree.schema.json"))
+    groups[REFERENCE].append(Page("ray-tree-json.html", "RayTree JSON", "schema", ROOT / "common/tree/ray_tree.schema.json"))
     if api:
         groups[REFERENCE].append(Page("api/index.html", "Functions of common/", "api"))
     groups[MEASURED].insert(0, Page(SPEED, "Lesson 10, measured", "speed", NOTES / "10-speed-and-accuracy.md"))

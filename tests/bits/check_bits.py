@@ -197,7 +197,7 @@ def check_calls(libraries):
                 continue
             read.add(member)
             if re.fullmatch(OPEN, called):
-                fail(f"{place} calls {called} of the C library, whose bits depend on the machine: expected portable::{called.removesuffix('f')} (common/portable.h)")
+                fail(f"{place} calls {called} of the C library, whose bits depend on the machine: expected portable::{called.removesuffix('f')} (common/base/portable.h)")
     if read != TRACERS:
         fail(f"{', '.join(libraries)} have {sorted(read)}, expected {sorted(TRACERS)}: what the tracer calls is not known")
 

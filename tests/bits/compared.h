@@ -8,7 +8,7 @@
 #include <fstream>
 #include <iostream>
 
-#include "common/sky.h"
+#include "common/scene/sky.h"
 #include "tests/grade/wire/payload.h"
 
 namespace rt::bits

@@ -3,9 +3,9 @@
 // usage: elsewhere SCENES [FILE LESSON TYPE OUT]   SCENES is what `bits_native --scenes SCENES` has written; see compared.h
 #include <iterator>
 
-#include "common/guarded_main.h"
-#include "common/pixel.h"
-#include "common/tree_recorder.h"
+#include "common/program/guarded_main.h"
+#include "common/scene/pixel.h"
+#include "common/tree/tree_recorder.h"
 #include "lessons/01_direct_illumination/trace.h"
 #include "lessons/02_mirrors/trace.h"
 #include "lessons/03_partial_reflection/trace.h"

@@ -2,9 +2,10 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "common/cli.h"
-#include "common/guarded_main.h"
-#include "common/scene_file.h"
+#include "common/files/scene_file.h"
+#include "common/files/text_file.h"
+#include "common/program/cli.h"
+#include "common/program/guarded_main.h"
 #include "lessons/registry.h"
 #include "tests/bits/compared.h"
 

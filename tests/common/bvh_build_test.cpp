@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "common/bvh_build.h"
+#include "common/search/bvh_build.h"
 
 namespace rt
 {

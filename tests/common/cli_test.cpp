@@ -1,10 +1,10 @@
-#include "common/cli.h"
+#include "common/program/cli.h"
 
 #include <cstdlib>
 
 #include <gtest/gtest.h>
 
-#include "common/picture_module.h"
+#include "common/files/picture_module.h"
 
 namespace rt
 {

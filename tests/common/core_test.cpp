@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "common/features.h"
-#include "common/scene.h"
-#include "common/scene_file.h"
+#include "common/files/scene_file.h"
+#include "common/scene/features.h"
+#include "common/scene/scene.h"
 #include "lessons/registry.h"
 #include "tests/common/random_scene.h"
 #include "tests/common/scaled_scene.h"

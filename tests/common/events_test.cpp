@@ -1,9 +1,9 @@
-#include "common/events.h"
+#include "common/tree/events.h"
 
 #include <gtest/gtest.h>
 
-#include "common/program.h"
-#include "common/scene_file.h"
+#include "common/files/scene_file.h"
+#include "common/program/program.h"
 #include "lessons/registry.h"
 
 namespace rt

@@ -1,4 +1,6 @@
-#include "common/image.h"
+#include "common/base/image.h"
+#include "common/files/picture_file.h"
+#include "common/files/text_file.h"
 
 #include <filesystem>
 #include <fstream>

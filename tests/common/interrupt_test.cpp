@@ -1,4 +1,4 @@
-#include "common/interrupt.h"
+#include "common/base/interrupt.h"
 
 #include <csignal>
 #include <filesystem>
@@ -10,7 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "common/image.h"
+#include "common/files/text_file.h"
 
 namespace rt
 {

@@ -1,5 +1,5 @@
 // What is found before a lesson asks is what it would find, bit for bit.
-#include "common/pixel.h"
+#include "common/scene/pixel.h"
 #include "tests/common/random_world.h"
 
 namespace rt

@@ -1,8 +1,8 @@
 // What the surfaces of glass along a ray say of the media between them, and where two of them contradict each other.
 #include <gtest/gtest.h>
 
-#include "common/ray_tree.h"
-#include "common/scene_file.h"
+#include "common/files/scene_file.h"
+#include "common/tree/ray_tree.h"
 #include "lessons/registry.h"
 
 namespace rt

@@ -7,9 +7,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "common/obj_file.h"
-#include "common/scene.h"
-#include "common/scene_file.h"
+#include "common/files/obj_file.h"
+#include "common/files/scene_file.h"
+#include "common/scene/scene.h"
 #include "tests/common/mutated.h"
 
 namespace rt

@@ -6,7 +6,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "common/image.h"
+#include "common/base/image.h"
+#include "common/files/picture_file.h"
 
 namespace rt
 {

@@ -1,4 +1,4 @@
-#include "common/polygon.h"
+#include "common/files/polygon.h"
 
 #include <numeric>
 #include <random>

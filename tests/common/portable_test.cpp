@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "common/portable.h"
+#include "common/base/portable.h"
 
 namespace rt::portable
 {

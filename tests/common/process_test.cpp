@@ -1,4 +1,4 @@
-#include "common/process.h"
+#include "common/program/process.h"
 
 #include <chrono>
 #include <csignal>

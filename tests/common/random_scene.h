@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <random>
 
-#include "common/features.h"
+#include "common/scene/features.h"
 
 namespace rt
 {

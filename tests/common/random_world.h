@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "common/scene.h"
+#include "common/scene/scene.h"
 #include "tests/common/random_scene.h"
 
 namespace rt

@@ -1,12 +1,12 @@
-#include "common/ray_limit.h"
+#include "common/base/ray_limit.h"
 
 #include <algorithm>
 #include <thread>
 
 #include <gtest/gtest.h>
 
-#include "common/lesson_entry.h"
-#include "common/tree_growth.h"
+#include "common/program/lesson_entry.h"
+#include "common/tree/tree_growth.h"
 #include "lessons/08_phong/trace.h"
 #include "lessons/registry.h"
 

@@ -1,11 +1,11 @@
-#include "common/ray_tree.h"
+#include "common/tree/ray_tree.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "common/explain.h"
-#include "common/scene_file.h"
+#include "common/files/scene_file.h"
+#include "common/tree/explain.h"
 #include "lessons/formulas.h"
 #include "lessons/registry.h"
 #include "tests/common/random_scene.h"

@@ -1,7 +1,7 @@
 // A scene in other units of length.
 #pragma once
 
-#include "common/scene_description.h"
+#include "common/scene/scene_description.h"
 
 namespace rt
 {

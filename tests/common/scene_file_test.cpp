@@ -15,9 +15,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "common/nearest_word.h"
-#include "common/scene_file.h"
-#include "common/scene_reader.h"
+#include "common/base/nearest_word.h"
+#include "common/files/picture_file.h"
+#include "common/files/scene_file.h"
+#include "common/files/scene_reader.h"
 #include "tests/common/growth.h"
 #include "tests/common/mutated.h"
 

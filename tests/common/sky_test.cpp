@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "common/sky.h"
+#include "common/scene/sky.h"
 
 namespace rt
 {

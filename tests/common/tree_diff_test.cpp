@@ -1,4 +1,4 @@
-#include "common/tree_diff.h"
+#include "common/tree/tree_diff.h"
 
 #include <filesystem>
 #include <functional>
@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "common/scene_file.h"
+#include "common/files/scene_file.h"
 #include "lessons/registry.h"
 #include "tests/common/growth.h"
 #include "tests/common/random_scene.h"

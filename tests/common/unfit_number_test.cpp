@@ -1,8 +1,8 @@
 // Numbers of a scene file that the tracer's scalar type cannot hold: refused at their place, and never rounded to 0 or infinity.
 #include <gtest/gtest.h>
 
-#include "common/scene.h"
-#include "common/scene_file.h"
+#include "common/files/scene_file.h"
+#include "common/scene/scene.h"
 
 namespace rt
 {

@@ -46,7 +46,7 @@ def check_row(row, groups, seen):
 
 def solutions(lesson):
     """id -> lines of the solution, of the lesson's own text and of the core headers that it borrows from."""
-    files = [lesson / "trace.h", lesson / "geometry.h", ROOT / "common/shapes.h", ROOT / "common/sky.h"]
+    files = [lesson / "trace.h", lesson / "geometry.h", ROOT / "common/base/shapes.h", ROOT / "common/scene/sky.h"]
     text = "".join(file.read_text() for file in files if file.exists())
     found = re.findall(r"^ *// SOLUTION (\S+)\n(.*?)^ *// END\n", text, re.M | re.S)
     return {which: [line.strip() for line in body.splitlines()] for which, body in found}

@@ -75,7 +75,7 @@ class Programs(ProgramTest):
 
     def test_json_follows_the_schema(self):
         import jsonschema
-        schema = json.loads((ROOT / "common/ray_tree.schema.json").read_text())
+        schema = json.loads((ROOT / "common/tree/ray_tree.schema.json").read_text())
         for program, options in (("lesson01", []), ("lesson02", []), ("lesson02", ["--depth", "1"]), ("lesson02", ["--ray", "0,1,5,0,1,0"]),
                                  ("lesson04", []), ("lesson06", []), ("lesson07", []), ("lesson08", ["--depth", "2"])):
             jsonschema.validate(json.loads(self.run_program(program, "--tree", "json", *options)[0]), schema)

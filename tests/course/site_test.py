@@ -14,7 +14,7 @@ import tempfile
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "tests"), str(ROOT / "tests/course"), str(ROOT / "slides-notes/site"), str(ROOT / "common")]
+sys.path[:0] = [str(ROOT / "tests"), str(ROOT / "tests/course"), str(ROOT / "slides-notes/site"), str(ROOT / "common/program")]
 import browser  # noqa: E402
 import npm_packages  # noqa: E402
 import site_files  # noqa: E402

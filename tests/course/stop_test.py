@@ -150,7 +150,7 @@ class Children(Signalled):
 
 
 class Scripts(ProgramTest):
-    """The same of common/children.py, which bench and notes use."""
+    """The same of common/program/children.py, which bench and notes use."""
 
     def start_script(self):
         started = self.here / "started"
@@ -158,7 +158,7 @@ class Scripts(ProgramTest):
         script = ("import sys; from children import *; children = Children(); raise_at_signals(children)\n"
                   "try:\n    children.run(['sh', '-c', sys.argv[1]])\n"
                   "except KeyboardInterrupt:\n    sys.exit(130)\n")
-        process = subprocess.Popen([sys.executable, "-c", script, program], env={**os.environ, "PYTHONPATH": str(ROOT / "common")})
+        process = subprocess.Popen([sys.executable, "-c", script, program], env={**os.environ, "PYTHONPATH": str(ROOT / "common/program")})
         self.addCleanup(process.wait)
         self.addCleanup(process.kill)
         wait_until(started.exists, "the program does not start")

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "common/guarded_main.h"
+#include "common/program/guarded_main.h"
 #include "slides-notes/site/widgets/formulas.cpp"
 
 namespace

@@ -269,7 +269,7 @@ def check_themes(b):
         equal(pale, [], f"contrast below 4.5 with {system} {chosen}")
     check(papers["light", ""] != papers["dark", ""], "dark and light look the same")
     equal((papers["light", "dark"], papers["dark", "light"]), (papers["dark", ""], papers["light", ""]), "the page's switch")
-    palette, css = (ROOT / "viz/palette.cpp").read_text(), (WIDGETS / "widgets.css").read_text()
+    palette, css = (ROOT / "viz/base/palette.cpp").read_text(), (WIDGETS / "widgets.css").read_text()
     for role in ("camera", "reflected", "transmitted", "reaches", "blocked", "other", "normal"):
         pattern = r"Rgba\{(\d+), (\d+), (\d+)\} : Rgba\{(\d+), (\d+), (\d+)\}"
         start = palette.index(f"case RayRole::{role}:") if role != "normal" else palette.rindex("return dark")

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "common/image.h"
+#include "common/files/text_file.h"
 #include "tests/grade/box/temporary_folder.h"
 #include "tests/grade/report/files.h"
 

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "common/program.h"
+#include "common/program/program.h"
 #include "lessons/00_geometry/exercise.h"
 #include "lessons/01_direct_illumination/exercise.h"
 #include "lessons/02_mirrors/exercise.h"

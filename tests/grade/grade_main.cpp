@@ -11,10 +11,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "common/cli.h"
-#include "common/guarded_main.h"
-#include "common/image.h"
-#include "common/scene_text.h"
+#include "common/files/picture_file.h"
+#include "common/files/scene_text.h"
+#include "common/files/text_file.h"
+#include "common/program/cli.h"
+#include "common/program/guarded_main.h"
 #include "tests/grade/box/temporary_folder.h"
 #include "tests/grade/class_run.h"
 #include "tests/grade/questions/manifest.h"

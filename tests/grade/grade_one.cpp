@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "common/image.h"
+#include "common/files/text_file.h"
 #include "tests/grade/box/compile.h"
 #include "tests/grade/box/source_text.h"
 #include "tests/grade/digest.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "common/image.h"
+#include "common/base/image.h"
 
 namespace rt::grade
 {

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "common/vec.h"
+#include "common/base/vec.h"
 
 namespace rt::cases
 {

@@ -1,7 +1,7 @@
 // Lesson 00 is functions of numbers, without scenes: it has cases of its own.
 #pragma once
 
-#include "common/todo.h"
+#include "common/base/todo.h"
 #include "tests/lessons/check.h"
 #include "tests/lessons/lesson00_subject.h"
 

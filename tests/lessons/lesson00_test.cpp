@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "common/image.h"
+#include "common/files/text_file.h"
 #include "lessons/00_geometry/exercise.h"
 #include "lessons/00_geometry/geometry.h"
 #include "lessons/00_geometry/tutorial.h"

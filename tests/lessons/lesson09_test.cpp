@@ -1,12 +1,13 @@
 // The reference against closed forms: a wrong reference would teach wrong things about lesson 08.
+#include "common/files/text_file.h"
 #include "lessons/09_limitations/reference.h"
 
 #include <map>
 
 #include <gtest/gtest.h>
 
-#include "common/program.h"
-#include "common/scene_file.h"
+#include "common/files/scene_file.h"
+#include "common/program/program.h"
 #include "lessons/09_limitations/pairs.h"
 #include "lessons/entries.h"
 #include "tests/common/random_scene.h"
@@ -542,7 +543,7 @@ TEST(Reference, FitsOnAPageAndNeedsOnlyTheLessonsHeader)
     std::vector<std::string> includes;
     for (std::size_t at = 0; (at = text.find("#include ", at)) != std::string::npos; ++at)
         includes.push_back(text.substr(at + 9, text.find('\n', at) - at - 9));
-    EXPECT_EQ(includes, (std::vector<std::string>{"<random>", "\"common/lesson.h\""}));
+    EXPECT_EQ(includes, (std::vector<std::string>{"<random>", "\"common/scene/lesson.h\""}));
 }
 
 } // namespace

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "common/todo.h"
+#include "common/base/todo.h"
 #include "tests/lessons/cases.h"
 
 namespace rt::cases

@@ -3,7 +3,8 @@
 
 #include <numbers>
 
-#include "common/scene_file.h"
+#include "common/files/picture_file.h"
+#include "common/files/scene_file.h"
 #include "tests/lessons/check.h"
 #include "tests/lessons/subject.h"
 

@@ -4,8 +4,8 @@
 
 #include <functional>
 
-#include "common/pixel.h"
-#include "common/tree_recorder.h"
+#include "common/scene/pixel.h"
+#include "common/tree/tree_recorder.h"
 
 namespace rt::cases
 {

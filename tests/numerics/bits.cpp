@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <cstring>
 
-#include "common/guarded_main.h"
-#include "common/pixel.h"
+#include "common/program/guarded_main.h"
+#include "common/scene/pixel.h"
 #include "lessons/08_phong/trace.h"
 #include "tests/common/random_scene.h"
 

@@ -16,12 +16,12 @@ if len(set(sums.values())) != 1:
 
 
 def compiles(*flags):
-    return subprocess.run([compiler, "-std=c++20", "-fsyntax-only", "-I", ROOT, *flags, ROOT / "common/vec.h"],
+    return subprocess.run([compiler, "-std=c++20", "-fsyntax-only", "-I", ROOT, *flags, ROOT / "common/base/vec.h"],
                           capture_output=True, text=True)
 
 
 if (plain := compiles()).returncode != 0:
-    problems.append(f"common/vec.h does not compile:\n{plain.stderr}")
+    problems.append(f"common/base/vec.h does not compile:\n{plain.stderr}")
 flags = ["-ffast-math", "-Ofast", "-ffinite-math-only"]
 if "Free Software" in subprocess.run(
         [compiler, "--version"], capture_output=True, text=True).stdout:
@@ -29,7 +29,7 @@ if "Free Software" in subprocess.run(
 for flag in flags:
     refused = compiles(flag)
     if refused.returncode == 0 or "fast-math" not in refused.stderr:
-        problems.append(f"common/vec.h compiles with {flag}: it must refuse to")
+        problems.append(f"common/base/vec.h compiles with {flag}: it must refuse to")
 
 for line in (ROOT / "common/CMakeLists.txt").read_text().splitlines():
     if "target_compile_options(raytree_core" in line and "-ffp-contract=off" in line:

@@ -2,7 +2,7 @@
 // RAYTREE_DEGENERATE_SCENES sets how many are tried in each precision.
 #include <cstdlib>
 
-#include "common/obj_file.h"
+#include "common/files/obj_file.h"
 #include "tests/numerics/extremes.h"
 
 namespace rt::numerics

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "common/render.h"
+#include "common/scene/render.h"
 #include "lessons/08_phong/trace.h"
 #include "tests/common/scaled_scene.h"
 #include "tests/lessons/scenes.h"

@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "bench_scenes.h"
-#include "common/cli.h"
+#include "common/files/picture_file.h"
+#include "common/program/cli.h"
 
 namespace rt::perf
 {

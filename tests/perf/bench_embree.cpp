@@ -11,11 +11,12 @@
 #endif
 
 #include "bench_common.h"
-#include "common/camera.h"
-#include "common/guarded_main.h"
-#include "common/image.h"
-#include "common/scene.h"
-#include "common/scene_file.h"
+#include "common/base/image.h"
+#include "common/files/picture_file.h"
+#include "common/files/scene_file.h"
+#include "common/program/guarded_main.h"
+#include "common/scene/camera.h"
+#include "common/scene/scene.h"
 
 namespace
 {

@@ -6,9 +6,9 @@
 #include <benchmark/benchmark.h>
 
 #include "bench_scenes.h"
-#include "common/guarded_main.h"
-#include "common/render.h"
-#include "common/tree_recorder.h"
+#include "common/program/guarded_main.h"
+#include "common/scene/render.h"
+#include "common/tree/tree_recorder.h"
 #include "lessons/08_phong/trace.h"
 
 namespace

@@ -3,8 +3,9 @@
 #include <chrono>
 
 #include "bench_common.h"
-#include "common/guarded_main.h"
-#include "common/render.h"
+#include "common/files/picture_file.h"
+#include "common/program/guarded_main.h"
+#include "common/scene/render.h"
 #include "lessons/08_phong/trace.h"
 
 namespace

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "common/program.h"
-#include "common/scene_file.h"
+#include "common/files/scene_file.h"
+#include "common/program/program.h"
 
 namespace rt::perf
 {

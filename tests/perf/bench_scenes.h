@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "common/scene_description.h"
+#include "common/scene/scene_description.h"
 
 namespace rt::perf
 {

@@ -18,7 +18,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 import skips
 from programs import BIN, ROOT, ProgramTest, wait_until_it_watches
 
-sys.path[:0] = [str(ROOT / "tests/perf"), str(ROOT / "common")]
+sys.path[:0] = [str(ROOT / "tests/perf"), str(ROOT / "common/program")]
 import bench_page
 import bench_report
 import bench_run

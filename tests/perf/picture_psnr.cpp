@@ -4,14 +4,14 @@
 #include <fmt/format.h>
 #include <OpenImageIO/imageio.h>
 
-#include "common/cli.h"
-#include "common/guarded_main.h"
+#include "common/program/cli.h"
+#include "common/program/guarded_main.h"
 #include "lessons/10_speed_and_accuracy/metrics.h"
 
 namespace
 {
 
-/// The numbers of the file as they are: common/image.h takes whole numbers for sRGB, POV-Ray's linear ones are not.
+/// The numbers of the file as they are: common/base/image.h takes whole numbers for sRGB, POV-Ray's linear ones are not.
 rt::Image linearImage(const std::string& path)
 {
     const auto file = OIIO::ImageInput::open(path);

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "common/camera.h"
-#include "common/scene.h"
-#include "common/scene_file.h"
+#include "common/files/scene_file.h"
+#include "common/scene/camera.h"
+#include "common/scene/scene.h"
 
 namespace rt::perf
 {

@@ -2,8 +2,8 @@
 #include <iostream>
 
 #include "bench_common.h"
-#include "common/guarded_main.h"
-#include "common/image.h"
+#include "common/files/text_file.h"
+#include "common/program/guarded_main.h"
 #include "pov.h"
 
 namespace

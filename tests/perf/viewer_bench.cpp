@@ -9,11 +9,11 @@
 
 #include <fmt/format.h>
 
-#include "common/guarded_main.h"
-#include "common/program.h"
-#include "common/scene_file.h"
+#include "common/files/scene_file.h"
+#include "common/program/guarded_main.h"
+#include "common/program/program.h"
 #include "lessons/registry.h"
-#include "viz/window.h"
+#include "viz/window/window.h"
 
 namespace
 {
@@ -162,7 +162,7 @@ void measure(Session session, const std::string& title)
     report("one step", nodes, 20, [&](int i) { controller.stepTo(1 + i % controller.lastStep()); });
     controller.stepTo(controller.lastStep());
     report("point at a ray in the tree", nodes, 20, [&](int i) { controller.hover(i % int(nodes)); });
-    // The wheel; viz/layout.cpp says where the panes are.
+    // The wheel; viz/base/layout.cpp says where the panes are.
     report("zoom the tree", nodes, 20, [&](int i) { window.wheel(1300, 600, i % 4 < 2); });
     report("zoom the scene", nodes, 20, [&](int i) { window.wheel(800, 600, i % 4 < 2); });
     report("show or hide a kind", nodes, 20, [&](int) { controller.toggle(Kind::reflected); });

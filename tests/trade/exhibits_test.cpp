@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "common/program.h"
-#include "common/scene_file.h"
+#include "common/files/scene_file.h"
+#include "common/program/program.h"
 #include "lessons/10_speed_and_accuracy/modelling.h"
 #include "lessons/10_speed_and_accuracy/study.h"
 #include "lessons/entries.h"

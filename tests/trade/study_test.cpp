@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "common/program.h"
-#include "common/scene_file.h"
+#include "common/files/scene_file.h"
+#include "common/program/program.h"
 #include "lessons/10_speed_and_accuracy/recommend.h"
 #include "lessons/10_speed_and_accuracy/report.h"
 #include "lessons/registry.h"

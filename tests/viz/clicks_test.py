@@ -20,7 +20,7 @@ from xscreen import HEIGHT, PATIENCE, WIDTH, Screen, Viewer, missing, steady, wa
 PROGRAM = pathlib.Path(sys.argv.pop(1)).resolve()
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
-# viz/layout.cpp at 1600x900: x, y, width, height.
+# viz/base/layout.cpp at 1600x900: x, y, width, height.
 TITLE, STRIP = 46, 78
 IMAGE = (0, TITLE, 432, 324)
 SCENE = (432, TITLE, 704, 434)
@@ -31,7 +31,7 @@ SLIDERS = (130, BOTTOM[1] + 14, WIDTH - 130, 14)  # a band in the middle of the 
 WHOLE = (0, 0, WIDTH, HEIGHT)
 NOWHERE = (700, 20)  # in the title, where nothing follows the pointer
 
-# viz/palette.cpp, the dark look.
+# viz/base/palette.cpp, the dark look.
 RAISED = (31, 40, 53)
 CAMERA, REFLECTED, TRANSMITTED, ACCENT = (86, 180, 233), (245, 159, 20), (32, 166, 76), (125, 211, 252)
 

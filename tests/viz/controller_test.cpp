@@ -1,13 +1,13 @@
-#include "viz/controller.h"
+#include "viz/state/controller.h"
 
 #include <algorithm>
 
 #include <gtest/gtest.h>
 
-#include "common/program.h"
-#include "common/scene_file.h"
+#include "common/files/scene_file.h"
+#include "common/program/program.h"
 #include "lessons/registry.h"
-#include "viz/node_text.h"
+#include "viz/state/node_text.h"
 
 namespace rt::viz
 {

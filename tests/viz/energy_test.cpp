@@ -1,10 +1,10 @@
-#include "viz/energy.h"
+#include "viz/state/energy.h"
 
 #include <gtest/gtest.h>
 #include <limits>
 
-#include "common/program.h"
-#include "common/scene_file.h"
+#include "common/files/scene_file.h"
+#include "common/program/program.h"
 #include "lessons/registry.h"
 
 namespace rt::viz

@@ -1,4 +1,5 @@
-#include "viz/export_html.h"
+#include "common/files/text_file.h"
+#include "viz/html/export_html.h"
 
 #include <limits>
 #include <regex>
@@ -7,9 +8,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "common/events.h"
-#include "common/program.h"
-#include "common/scene_file.h"
+#include "common/files/scene_file.h"
+#include "common/program/program.h"
+#include "common/tree/events.h"
 #include "lessons/formulas.h"
 #include "lessons/registry.h"
 

@@ -15,15 +15,16 @@
 #include <vtkStringArray.h>
 #include <vtkXMLPolyDataReader.h>
 
-#include "common/base64.h"
-#include "common/image.h"
-#include "common/program.h"
-#include "common/scene.h"
-#include "common/scene_file.h"
+#include "common/base/image.h"
+#include "common/files/base64.h"
+#include "common/files/picture_file.h"
+#include "common/files/scene_file.h"
+#include "common/program/program.h"
+#include "common/scene/scene.h"
 #include "lessons/registry.h"
-#include "viz/export_gltf.h"
-#include "viz/export_vtp.h"
-#include "viz/rays.h"
+#include "viz/drawing/rays.h"
+#include "viz/export/export_gltf.h"
+#include "viz/export/export_vtp.h"
 
 namespace rt::viz
 {

@@ -1,4 +1,4 @@
-#include "viz/listing.h"
+#include "viz/state/listing.h"
 
 #include <filesystem>
 #include <fstream>
@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "common/program.h"
+#include "common/program/program.h"
 #include "lessons/registry.h"
 
 namespace rt::viz

@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "lessons/registry.h"
-#include "viz/object_meshes.h"
-#include "viz/rays.h"
-#include "viz/view.h"
+#include "viz/drawing/object_meshes.h"
+#include "viz/drawing/rays.h"
+#include "viz/drawing/view.h"
 
 namespace rt::viz
 {

@@ -1,10 +1,10 @@
-#include "viz/palette.h"
+#include "viz/base/palette.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "viz/controller.h"
+#include "viz/state/controller.h"
 
 namespace rt::viz
 {

@@ -1,7 +1,7 @@
-#include "viz/layout.h"
-#include "viz/picture_view.h"
-#include "viz/screen.h"
-#include "viz/slider.h"
+#include "viz/base/layout.h"
+#include "viz/base/slider.h"
+#include "viz/drawing/picture_view.h"
+#include "viz/base/screen.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

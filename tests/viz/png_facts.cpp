@@ -3,8 +3,9 @@
 #include <set>
 #include <tuple>
 
-#include "common/guarded_main.h"
-#include "common/image.h"
+#include "common/base/image.h"
+#include "common/files/picture_file.h"
+#include "common/program/guarded_main.h"
 
 namespace
 {

@@ -1,15 +1,15 @@
-#include "viz/rays.h"
+#include "viz/drawing/rays.h"
 
 #include <cmath>
 
 #include <glm/common.hpp>
 #include <gtest/gtest.h>
 
-#include "common/program.h"
-#include "common/scene_file.h"
+#include "common/files/scene_file.h"
+#include "common/program/program.h"
 #include "lessons/registry.h"
-#include "viz/planes.h"
-#include "viz/ray_mesh.h"
+#include "viz/drawing/planes.h"
+#include "viz/drawing/ray_mesh.h"
 
 namespace rt::viz
 {

@@ -1,14 +1,14 @@
-#include "viz/refine.h"
+#include "viz/state/refine.h"
 
 #include <future>
 #include <numeric>
 
 #include <gtest/gtest.h>
 
-#include "common/program.h"
-#include "common/scene_file.h"
+#include "common/files/scene_file.h"
+#include "common/program/program.h"
 #include "lessons/registry.h"
-#include "viz/controller.h"
+#include "viz/state/controller.h"
 
 namespace rt::viz
 {

@@ -1,4 +1,4 @@
-#include "viz/script.h"
+#include "viz/state/script.h"
 
 #include <filesystem>
 #include <fstream>
@@ -6,11 +6,11 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "common/image.h"
-#include "common/program.h"
-#include "common/scene_file.h"
+#include "common/files/scene_file.h"
+#include "common/files/text_file.h"
+#include "common/program/program.h"
 #include "lessons/registry.h"
-#include "viz/state.h"
+#include "viz/state/state.h"
 
 namespace rt::viz
 {

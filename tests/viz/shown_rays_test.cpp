@@ -1,9 +1,9 @@
-#include "viz/shown_rays.h"
+#include "viz/drawing/shown_rays.h"
 
 #include <gtest/gtest.h>
 
-#include "common/program.h"
-#include "common/scene_file.h"
+#include "common/files/scene_file.h"
+#include "common/program/program.h"
 #include "lessons/registry.h"
 
 namespace rt::viz

@@ -1,4 +1,4 @@
-#include "viz/tree_layout.h"
+#include "viz/drawing/tree_layout.h"
 
 #include <map>
 

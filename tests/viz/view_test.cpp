@@ -1,12 +1,12 @@
-#include "viz/view.h"
+#include "viz/drawing/view.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "common/program.h"
-#include "common/scene_file.h"
+#include "common/files/scene_file.h"
+#include "common/program/program.h"
 #include "lessons/registry.h"
-#include "viz/labels.h"
+#include "viz/drawing/labels.h"
 
 namespace rt::viz
 {

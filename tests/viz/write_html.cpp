@@ -5,12 +5,13 @@
 
 #include <fmt/format.h>
 
-#include "common/cli.h"
-#include "common/guarded_main.h"
-#include "common/scene_file.h"
+#include "common/files/scene_file.h"
+#include "common/files/text_file.h"
+#include "common/program/cli.h"
+#include "common/program/guarded_main.h"
 #include "lessons/formulas.h"
 #include "lessons/registry.h"
-#include "viz/export_html.h"
+#include "viz/html/export_html.h"
 
 namespace rt::viz
 {

@@ -7,12 +7,12 @@
 
 #include <fmt/format.h>
 
-#include "common/guarded_main.h"
-#include "common/image.h"
-#include "common/scene_file.h"
+#include "common/files/scene_file.h"
+#include "common/files/text_file.h"
+#include "common/program/guarded_main.h"
 #include "lessons/registry.h"
-#include "viz/export_gltf.h"
-#include "viz/export_vtp.h"
+#include "viz/export/export_gltf.h"
+#include "viz/export/export_vtp.h"
 
 namespace
 {

@@ -9,7 +9,7 @@ const unit = (a) => times(1 / (norm(a) || 1), a);
 const between = (a, b, t) => add(a, times(t, sub(b, a)));
 const isPoint = (p) => Array.isArray(p) && p.every(Number.isFinite);
 
-const TAN = Math.tan(Math.PI / 12); // of half the vertical angle, as in viz/view.h
+const TAN = Math.tan(Math.PI / 12); // of half the vertical angle, as in viz/drawing/view.h
 const STEEPEST = 1.55;
 const up = isPoint(DATA.objects.up) ? unit(DATA.objects.up) : [0, 1, 0];
 const ahead = unit(cross(Math.abs(up[0]) < 0.9 ? [1, 0, 0] : [0, 1, 0], up));
@@ -30,7 +30,7 @@ function startDirection() {
   orbit.azimuth = Math.atan2(dot(d, aside), dot(d, ahead));
 }
 
-// The nearest place along the direction from which all points are seen: fitView of viz/view.h.
+// The nearest place along the direction from which all points are seen: fitView of viz/drawing/view.h.
 function fitOrbit(aspect) {
   const points = DATA.objects.fit.filter(isPoint);
   const back = towards(), right = unit(cross(up, back)), above = cross(back, right);

@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "common/image.h"
-#include "common/picture_module.h"
+#include "common/base/image.h"
+#include "common/files/picture_file.h"
+#include "common/files/picture_module.h"
+#include "common/files/text_file.h"
 
 namespace rt
 {

@@ -21,8 +21,8 @@
 
 #include <fmt/format.h>
 
-#include "common/interrupt.h"
-#include "common/spawn.h"
+#include "common/base/interrupt.h"
+#include "common/program/spawn.h"
 #include "tests/grade/box/death.h"
 #include "tests/grade/box/temporary_folder.h"
 

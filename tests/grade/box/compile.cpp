@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-#include "common/spawn.h"
+#include "common/program/spawn.h"
 #include "tests/grade/box/child.h"
 #include "tests/grade/box/compiler_messages.h"
 #include "tests/grade/box/source_text.h"

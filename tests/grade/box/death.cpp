@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "common/spawn.h"
+#include "common/program/spawn.h"
 
 namespace rt::grade
 {

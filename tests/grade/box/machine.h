@@ -6,7 +6,7 @@
 
 #include <unistd.h>
 
-#include "common/process.h"
+#include "common/program/process.h"
 #include "tests/grade/box/box.h"
 
 namespace rt::grade

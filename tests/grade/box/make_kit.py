@@ -92,7 +92,7 @@ def stubbed(text, ids):
 
     text = re.sub(r"^(?P<indent> *)// SOLUTION (?P<id>\S+)\n(?P<body>.*?)^ *// END\n", body, text, flags=re.M | re.S)
     if count:
-        text = text.replace("#pragma once\n", '#pragma once\n\n#include "common/todo.h"\n', 1)
+        text = text.replace("#pragma once\n", '#pragma once\n\n#include "common/base/todo.h"\n', 1)
     return text, count
 
 

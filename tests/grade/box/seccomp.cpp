@@ -9,7 +9,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include "common/spawn.h"
+#include "common/program/spawn.h"
 
 namespace rt::grade
 {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "common/process.h"
+#include "common/program/process.h"
 #include "tests/grade/box/box.h"
 #include "tests/grade/box/machine.h"
 #include "tests/grade/box/temporary_folder.h"

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "common/interrupt.h"
+#include "common/base/interrupt.h"
 
 namespace rt::grade
 {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
-#include "common/camera.h"
-#include "common/todo.h"
+#include "common/base/todo.h"
+#include "common/scene/camera.h"
 #include "tests/grade/learn/pictures.h"
 #include "tests/grade/questions/in_float.h"
 #include "tests/lessons/cases.h"

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "common/image.h"
-#include "common/scene_file.h"
+#include "common/base/image.h"
+#include "common/files/scene_file.h"
 #include "lessons/00_geometry/geometry.h"
 #include "tests/grade/exercises.h"
 #include "tests/grade/learn/pictures.h"
@@ -208,9 +208,9 @@ TEST_F(Learning, ShowsThreeCompilerErrorsAtMost)
 TEST_F(Learning, ShowsTheLinesThatLedToAnError)
 {
     LessonRun run;
-    run.errors = {"common/vec.h:1: error: oh\nexercise.h:3: required from here"};
+    run.errors = {"common/base/vec.h:1: error: oh\nexercise.h:3: required from here"};
     EXPECT_EQ(resultText(session, session.current(), run, {}),
-              "does not compile\n  common/vec.h:1: error: oh\n  exercise.h:3: required from here\n");
+              "does not compile\n  common/base/vec.h:1: error: oh\n  exercise.h:3: required from here\n");
 }
 
 TEST_F(Learning, CountsNoCasesWhereThereIsOne)

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "common/pixel.h"
+#include "common/scene/pixel.h"
 #include "tests/lessons/lesson00_cases.h"
 #include "tests/lessons/run_cases.h"
 

@@ -27,7 +27,7 @@ sys.dont_write_bytecode = True
 import make_exercises  # noqa: E402
 
 # What is taken as it is, apart from marks. Nothing else is: a new file stays inside until it is named here.
-COMMON = ["common/*.h", "common/*.cpp", "common/CMakeLists.txt", "common/SCENES.md", "common/*.json"]
+COMMON = ["common/*.h", "common/*/*.h", "common/*/*.cpp", "common/*/*.json", "common/CMakeLists.txt", "common/SCENES.md"]
 PROGRAMS = ["lessons/exercise_main.*", "lessons/facts.*", "lessons/program.*", "lessons/program_main.h"]
 GEOMETRY = ["functions.h", "figures*.*", "svg.*", "program.cpp", "tutorial.cpp", "tutorial.h"]
 CASES = ["check.h", "run_cases.h", "subject.h", "scenes.h", "cases.h", "lesson00_subject.h", "lesson00_cases.*"]
@@ -123,9 +123,9 @@ class Handout:
             return f"{match['indent']}todo(\"{match['id']}\");\n"
 
         text = make_exercises.SOLUTION.sub(body, text)
-        if redacted and '"common/todo.h"' not in text:
+        if redacted and '"common/base/todo.h"' not in text:
             first = re.search(r'^#include "common/\S+"\n', text, re.M)
-            text = text[:first.end()] + '#include "common/todo.h"\n' + text[first.end():]
+            text = text[:first.end()] + '#include "common/base/todo.h"\n' + text[first.end():]
         return text
 
     def lesson(self, lesson):

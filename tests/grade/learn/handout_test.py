@@ -23,7 +23,7 @@ sys.dont_write_bytecode = True
 import make_exercises  # noqa: E402
 
 LESSONS = make_exercises.lessons()
-CORE = ("common/shapes.h", "common/sky.h", "common/sphere_search.h", "common/look_ahead.h")
+CORE = ("common/base/shapes.h", "common/scene/sky.h", "common/search/sphere_search.h", "common/search/look_ahead.h")
 
 
 def pack(out, *options, root=ROOT):
@@ -129,7 +129,7 @@ class Contents(Temporary):
     def test_says_what_it_shows(self):
         result = pack(self.folder / "all")
         self.assertIn("--lessons 0-N", result.stdout)
-        self.assertIn("01-sphere in common/shapes.h", result.stdout)
+        self.assertIn("01-sphere in common/base/shapes.h", result.stdout)
         result = pack(self.folder / "first", "--lessons", "0-1")
         self.assertNotRegex(result.stdout, "shapes.h|search.h")
 

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "common/cli.h"
-#include "common/guarded_main.h"
+#include "common/program/cli.h"
+#include "common/program/guarded_main.h"
 #include "tests/grade/box/temporary_folder.h"
 #include "tests/grade/learn/show.h"
 #include "tests/grade/learn/terminal.h"

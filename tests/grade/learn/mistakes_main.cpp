@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "common/guarded_main.h"
-#include "common/image.h"
+#include "common/files/text_file.h"
+#include "common/program/guarded_main.h"
 #include "tests/grade/questions/manifest.h"
 #include "tests/grade/questions/mistakes.h"
 

@@ -4,7 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "common/scene_file.h"
+#include "common/files/picture_file.h"
+#include "common/files/scene_file.h"
 
 namespace rt::grade
 {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "common/scene_description.h"
+#include "common/scene/scene_description.h"
 #include "tests/grade/result.h"
 
 namespace rt::grade

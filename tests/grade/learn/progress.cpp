@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "common/image.h"
+#include "common/files/text_file.h"
 
 namespace rt::grade
 {

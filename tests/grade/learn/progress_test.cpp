@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "common/image.h"
+#include "common/files/text_file.h"
 #include "tests/grade/box/temporary_folder.h"
 
 namespace rt::grade

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "common/image.h"
-#include "common/program.h"
+#include "common/files/text_file.h"
+#include "common/program/program.h"
 #include "tests/grade/box/compile.h"
 #include "tests/grade/box/temporary_folder.h"
 #include "tests/grade/questions/mistakes.h"

@@ -5,9 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "common/image.h"
-#include "common/program.h"
-#include "common/scene_text.h"
+#include "common/files/picture_file.h"
+#include "common/files/scene_text.h"
+#include "common/files/text_file.h"
+#include "common/program/program.h"
 #include "tests/grade/learn/pictures.h"
 
 namespace rt::grade

@@ -11,7 +11,7 @@
 #include <termios.h>
 #include <unistd.h>
 
-#include "common/interrupt.h"
+#include "common/base/interrupt.h"
 
 namespace rt::grade
 {

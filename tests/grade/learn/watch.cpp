@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "common/program.h"
+#include "common/program/program.h"
 #include "tests/grade/learn/show.h"
 #include "tests/grade/learn/terminal.h"
 

@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-#include "common/spawn.h"
+#include "common/program/spawn.h"
 #include "tests/grade/package/text.h"
 
 namespace rt::grade

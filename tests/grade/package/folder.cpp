@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "common/spawn.h"
+#include "common/program/spawn.h"
 #include "tests/grade/package/archive.h"
 #include "tests/grade/package/text.h"
 

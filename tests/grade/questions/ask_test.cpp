@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
+#include "common/files/text_file.h"
 #include "tests/grade/exercises.h"
 #include "tests/grade/questions/ask.h"
 #include "tests/grade/questions/known_mistakes.h"

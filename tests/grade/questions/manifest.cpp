@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
-#include "common/image.h"
-#include "common/scene_text.h"
+#include "common/files/scene_text.h"
+#include "common/files/text_file.h"
 
 namespace rt::grade
 {

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "common/todo.h"
+#include "common/base/todo.h"
 #include "tests/grade/questions/in_float.h"
 #include "tests/grade/questions/manifest.h"
 #include "tests/lessons/cases.h"

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "common/image.h"
+#include "common/files/text_file.h"
 #include "tests/grade/questions/manifest.h"
 
 namespace rt::grade

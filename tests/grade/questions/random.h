@@ -4,7 +4,7 @@
 #include <random>
 #include <string_view>
 
-#include "common/vec.h"
+#include "common/base/vec.h"
 #include "tests/grade/digest.h"
 
 namespace rt::grade

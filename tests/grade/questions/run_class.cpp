@@ -1,7 +1,7 @@
 #include "tests/grade/questions/run_class.h"
 
-#include "common/todo.h"
-#include "common/tree_diff.h"
+#include "common/base/todo.h"
+#include "common/tree/tree_diff.h"
 #include "lessons/registry.h"
 
 namespace rt::grade

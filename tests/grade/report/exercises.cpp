@@ -5,7 +5,7 @@
 
 #include <toml++/toml.h>
 
-#include "common/image.h"
+#include "common/files/text_file.h"
 
 namespace rt::grade
 {

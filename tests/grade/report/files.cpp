@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "common/files/text_file.h"
 #include "tests/grade/report/class_html.h"
 #include "tests/grade/report/gradebook_csv.h"
 #include "tests/grade/report/junit_xml.h"

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "common/cli.h"
-#include "common/guarded_main.h"
+#include "common/program/cli.h"
+#include "common/program/guarded_main.h"
 #include "tests/grade/report/files.h"
 #include "tests/grade/report/merge.h"
 

@@ -5,8 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "common/base64.h"
-#include "common/markup.h"
+#include "common/files/base64.h"
+#include "common/files/markup.h"
+#include "common/files/picture_file.h"
+#include "common/files/text_file.h"
 #include "lessons/registry.h"
 #include "tests/grade/digest.h"
 #include "tests/grade/report/text.h"

@@ -163,7 +163,7 @@ def check_pages(out):
 
 def check_palette():
     """The pages have the colours of the window."""
-    source = (ROOT / "viz/palette.cpp").read_text()
+    source = (ROOT / "viz/base/palette.cpp").read_text()
     css = (ROOT / "tests/grade/report/page.css").read_text()
     names = {"window": "window", "panel": "panel", "raised": "panelRaised", "line": "line", "text": "text", "dim": "textDim",
              "accent": "accent", "warning": "warning", "lit": "lit"}

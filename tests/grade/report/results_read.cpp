@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "common/files/text_file.h"
 #include "tests/grade/report/results_json.h"
 #include "tests/grade/report/text.h"
 

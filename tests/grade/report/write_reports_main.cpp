@@ -1,8 +1,8 @@
 // Writes the reports of made-up classes, for report_test.py to look at: OUT/class, OUT/hostile, OUT/empty.
 #include <iostream>
 
-#include "common/guarded_main.h"
-#include "common/program.h"
+#include "common/program/guarded_main.h"
+#include "common/program/program.h"
 #include "tests/grade/report/files.h"
 #include "tests/grade/report/sample_results.h"
 

@@ -15,7 +15,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "common/image.h"
+#include "common/base/image.h"
 
 namespace rt::grade
 {

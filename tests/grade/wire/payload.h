@@ -1,8 +1,8 @@
 // The fields of what is sent, once for both directions.
 #pragma once
 
-#include "common/ray_tree.h"
-#include "common/scene_description.h"
+#include "common/scene/scene_description.h"
+#include "common/tree/ray_tree.h"
 #include "lessons/00_geometry/functions.h"
 #include "tests/grade/wire/bytes.h"
 

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include "common/scene_file.h"
+#include "common/files/scene_file.h"
 #include "tests/grade/wire/frames.h"
 #include "tests/lessons/cases.h"
 

@@ -1,0 +1,10 @@
+#include "common/scene/scene.h"
+
+namespace rt
+{
+
+RAYTREE_SCENE(, float)
+RAYTREE_SCENE(, double)
+RAYTREE_SCENE(, long double)
+
+} // namespace rt

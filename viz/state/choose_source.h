@@ -1,0 +1,14 @@
+// What the command line's words for tracers mean.
+#pragma once
+
+#include "viz/state/controller.h"
+
+namespace rt::viz
+{
+
+/// For --compare: "exercise" (the lesson's own), "exact", "schlick", "float", "double", "long-double", "depth=N",
+/// "lesson=N", a .json file, or a program. Sets session.other; session.source must trace `lesson` in
+/// `precision`. Throws std::runtime_error with one sentence.
+void compareWith(Session& session, const std::string& what, const LessonEntry& lesson, Precision precision);
+
+} // namespace rt::viz
