@@ -15,7 +15,7 @@ MOST_POINTS = 10  # for one exercise: a slip of the pen otherwise
 
 def case_groups():
     """Names of the groups of all cases."""
-    text = "".join(path.read_text() for path in ROOT.glob("tests/lessons/*cases*.cpp"))
+    text = "".join(path.read_text() for path in ROOT.glob("tests/cases/*cases*.cpp"))
     return set(re.findall(r'\{"([A-Z]\w*)",\s*"[A-Z]\w*",', text))
 
 

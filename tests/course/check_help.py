@@ -16,7 +16,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 HELP = ROOT / "common/help"
 BIN = pathlib.Path(sys.argv[1]).resolve()
 PROGRAMS = {"learn": "learn", "grade": "grade", "merge": "grade_merge", "render": "render", "view": "viewer", "trade": "trade"}
-SCRIPTS = {"handout": "tests/grade/learn/handout.py", "notes": "slides-notes/site/build_site.py", "bench": "tests/perf/bench.py"}
+SCRIPTS = {"handout": "tests/handout/handout.py", "notes": "slides-notes/site/build_site.py", "bench": "tests/perf/bench.py"}
 
 
 def said(*command):

@@ -144,7 +144,7 @@ def check_lessons_are_complete():
 def check_cases_belong_to_exercises():
     """Each group of a lesson's own cases (but Picture) is about an exercise, and exercises name no others. "A + B" is two."""
     groups = {}
-    for path in [ROOT / "tests/lessons/lesson00_cases.cpp", *sorted(ROOT.glob("tests/lessons/cases_*.cpp"))]:
+    for path in [ROOT / "tests/cases/lesson00_cases.cpp", *sorted(ROOT.glob("tests/cases/cases_*.cpp"))]:
         text = path.read_text()
         lesson = 0 if path.stem == "lesson00_cases" else int((re.match(r"// Lesson (\d\d)\b", text) or [0, -1])[1])
         if lesson < 0:

@@ -7,9 +7,9 @@
 #include <string>
 #include <utility>
 
+#include "tests/cases/lesson00_cases.h"
+#include "tests/cases/subject.h"
 #include "tests/grade/result.h"
-#include "tests/lessons/lesson00_cases.h"
-#include "tests/lessons/subject.h"
 
 namespace rt::grade
 {

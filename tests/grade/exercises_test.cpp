@@ -25,8 +25,8 @@
 #include "solved06.h"
 #include "solved07.h"
 #include "solved08.h"
+#include "tests/cases/run_cases.h"
 #include "tests/grade/questions/manifest.h"
-#include "tests/lessons/run_cases.h"
 
 namespace rt::grade
 {

@@ -8,7 +8,7 @@
 #include "lessons/05_refraction/trace.h"
 #include "lessons/06_fresnel/trace.h"
 #include "lessons/08_phong/trace.h"
-#include "tests/lessons/scenes.h"
+#include "tests/cases/scenes.h"
 
 namespace rt::cases
 {

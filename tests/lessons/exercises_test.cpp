@@ -11,7 +11,7 @@
 #include "lessons/06_fresnel/exercise.h"
 #include "lessons/07_recursion_caps/exercise.h"
 #include "lessons/08_phong/exercise.h"
-#include "tests/lessons/run_cases.h"
+#include "tests/cases/run_cases.h"
 
 namespace rt::cases
 {

@@ -1,7 +1,7 @@
 // Known mistakes of lesson 00.
 #pragma once
 
-#include "tests/lessons/lesson00_cases.h"
+#include "tests/cases/lesson00_cases.h"
 
 namespace rt::cases
 {

@@ -8,7 +8,7 @@
 #include "lessons/00_geometry/geometry.h"
 #include "lessons/00_geometry/tutorial.h"
 #include "solved00.h"
-#include "tests/lessons/lesson00_cases.h"
+#include "tests/cases/lesson00_cases.h"
 
 namespace rt::cases
 {

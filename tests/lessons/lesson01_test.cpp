@@ -1,7 +1,7 @@
 #include "lessons/01_direct_illumination/trace.h"
 #include "solved01.h"
-#include "tests/lessons/cases.h"
-#include "tests/lessons/run_cases.h"
+#include "tests/cases/cases.h"
+#include "tests/cases/run_cases.h"
 
 namespace rt::cases
 {

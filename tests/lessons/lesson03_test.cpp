@@ -1,7 +1,7 @@
 #include "lessons/03_partial_reflection/trace.h"
 #include "solved03.h"
-#include "tests/lessons/cases.h"
-#include "tests/lessons/run_cases.h"
+#include "tests/cases/cases.h"
+#include "tests/cases/run_cases.h"
 
 namespace rt::cases
 {

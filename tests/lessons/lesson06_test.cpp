@@ -1,7 +1,7 @@
 #include "lessons/06_fresnel/trace.h"
 #include "solved06.h"
-#include "tests/lessons/cases.h"
-#include "tests/lessons/run_cases.h"
+#include "tests/cases/cases.h"
+#include "tests/cases/run_cases.h"
 
 namespace rt::cases
 {

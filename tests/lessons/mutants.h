@@ -1,7 +1,7 @@
 // Known mistakes of a lesson, compiled.
 #pragma once
 
-#include "tests/lessons/subject.h"
+#include "tests/cases/subject.h"
 
 namespace rt::cases
 {

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "lessons/registry.h"
-#include "tests/lessons/cases.h"
-#include "tests/lessons/run_cases.h"
+#include "tests/cases/cases.h"
+#include "tests/cases/run_cases.h"
 
 namespace rt::cases
 {

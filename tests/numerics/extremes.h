@@ -9,8 +9,8 @@
 
 #include "common/scene/render.h"
 #include "lessons/08_phong/trace.h"
+#include "tests/cases/scenes.h"
 #include "tests/common/scaled_scene.h"
-#include "tests/lessons/scenes.h"
 
 namespace rt::numerics
 {

@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 
 #include "common/base/todo.h"
+#include "tests/cases/cases.h"
 #include "tests/grade/questions/in_float.h"
 #include "tests/grade/questions/manifest.h"
-#include "tests/lessons/cases.h"
 
 namespace rt::grade
 {

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "tests/cases/scenes.h"
 #include "tests/grade/candidate.h"
 #include "tests/grade/questions/in_float.h"
 #include "tests/grade/questions/random.h"
-#include "tests/lessons/scenes.h"
 
 namespace rt::grade
 {

@@ -3,10 +3,10 @@
 
 #include <memory>
 
+#include "tests/cases/cases.h"
 #include "tests/grade/questions/ask.h"
 #include "tests/grade/questions/manifest.h"
 #include "tests/grade/questions/question.h"
-#include "tests/lessons/cases.h"
 
 namespace rt::grade
 {

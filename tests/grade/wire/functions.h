@@ -1,9 +1,9 @@
 // Which function of a subject has which number on the wire.
 #pragma once
 
+#include "tests/cases/lesson00_subject.h"
+#include "tests/cases/subject.h"
 #include "tests/grade/wire/frames.h"
-#include "tests/lessons/lesson00_subject.h"
-#include "tests/lessons/subject.h"
 
 namespace rt::grade
 {

@@ -10,8 +10,8 @@
 #include <rapidcheck.h>
 
 #include "common/files/scene_file.h"
+#include "tests/cases/cases.h"
 #include "tests/grade/wire/frames.h"
-#include "tests/lessons/cases.h"
 
 namespace rt::grade
 {

@@ -5,14 +5,14 @@
 #include <chrono>
 #include <map>
 
+#include "tests/cases/lesson00_cases.h"
+#include "tests/cases/run_cases.h"
 #include "tests/grade/exercises.h"
 #include "tests/grade/questions/manifest.h"
 #include "tests/grade/wire/exercise_ids.h"
 #include "tests/grade/wire/functions.h"
 #include "tests/grade/wire/misbehaving.h"
 #include "tests/grade/wire/payload.h"
-#include "tests/lessons/lesson00_cases.h"
-#include "tests/lessons/run_cases.h"
 
 namespace rt::grade
 {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "common/exercise.h"
-#include "tests/lessons/lesson00_subject.h"
-#include "tests/lessons/subject.h"
+#include "tests/cases/lesson00_subject.h"
+#include "tests/cases/subject.h"
 
 namespace rt
 {
