@@ -26,7 +26,7 @@ try : camera(description.camera), settings(description.trace), sky(description.s
             for (const Real ratio : {mat.ior / mat.iorOutside, mat.iorOutside / mat.ior})
                 if (const auto square = double(ratio * ratio); !std::isfinite(square) || square == 0)
                     throw UnfitNumber(name + ".ior", "the square of n1 / n2 in " + name + " = " +
-                                                         shortestDigits(square) +
+                                                         shortestDigits(double(ratio) * double(ratio)) +
                                                          " does not fit the tracer's scalar type");
     }
     for (const auto& s : description.spheres)
