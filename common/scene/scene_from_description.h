@@ -24,7 +24,7 @@ try : camera(description.camera), settings(description.trace), sky(description.s
         mat.exponent = std::min(mat.exponent, 1 / std::numeric_limits<Real>::epsilon());
         if (mat.isDielectric())
             for (const Real ratio : {mat.ior / mat.iorOutside, mat.iorOutside / mat.ior})
-                if (!std::isfinite(ratio * ratio) || ratio * ratio == 0)
+                if (const auto square = double(ratio * ratio); !std::isfinite(square) || square == 0)
                     throw UnfitNumber(name + ".ior", "the square of n1 / n2 in " + name + " = " +
                                                          shortestDigits(double(ratio) * double(ratio)) +
                                                          " does not fit the tracer's scalar type");

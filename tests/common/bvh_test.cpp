@@ -213,12 +213,12 @@ TYPED_TEST(Search, FromAfarFindsWhatAScanFinds)
 
 TYPED_TEST(Search, OfTrianglesFindsWhatAScanFinds)
 {
-    expectBoth(compareMany<TypeParam>(0, 200, 0, 12, 500), 800);
+    expectBoth(compareMany<TypeParam>(0, 200, 0, 8, 300), 300);
 }
 
 TYPED_TEST(Search, OfTrianglesOfAllSizesFindsWhatAScanFinds)
 {
-    for (const double power : {2, 4, 8}) expectBoth(compareMany<TypeParam>(0, 100, power, 20, 250), 50);
+    for (const double power : {2, 4, 8}) expectBoth(compareMany<TypeParam>(0, 100, power, 8, 200), 15);
 }
 
 TYPED_TEST(Search, OfBothFindsWhatAScanFinds)

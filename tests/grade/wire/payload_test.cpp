@@ -78,8 +78,9 @@ auto members(Light<double>& l)
 }
 auto members(SceneDescription& s)
 {
-    auto& [file, title, camera, trace, sky, materials, spheres, planes, triangles, meshes, lights, warnings] = s;
-    (void)file, (void)title, (void)warnings; // not sent
+    auto& [file, title, camera, trace, sky, materials, spheres, planes, triangles, meshes, lights, warnings, places] =
+        s;
+    (void)file, (void)title, (void)warnings, (void)places; // not sent
     return std::tie(camera, trace, sky, materials, spheres, planes, triangles, meshes, lights);
 }
 auto members(Image& i)
