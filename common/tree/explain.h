@@ -18,7 +18,7 @@ struct Formula
     std::string numbers;  ///< the same with this node's numbers, and the result; may have several lines
 };
 
-/// The lecture's functions themselves, from the lessons that teach them (lessons/formulas.h): an explanation computes nothing
+/// The lecture's functions themselves, from the lessons that teach them (lessons/programs/formulas.h): an explanation computes nothing
 /// with a copy. Those of an exercise are its own, and may be null before the lesson that teaches them, except phong.
 struct LectureFormulas
 {

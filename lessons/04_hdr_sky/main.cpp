@@ -1,7 +1,7 @@
 #include "common/files/picture_file.h"
 #include "common/program/guarded_main.h"
-#include "lessons/entries.h"
-#include "lessons/lesson_main.h"
+#include "lessons/programs/entries.h"
+#include "lessons/programs/lesson_main.h"
 #include "make_sky.h"
 
 namespace

@@ -1,8 +1,8 @@
 #include "exercise.h"
 #include "common/program/exercise_entry.h"
 #include "common/program/guarded_main.h"
-#include "lessons/exercise_main.h"
-#include "lessons/facts.h"
+#include "lessons/programs/exercise_main.h"
+#include "lessons/programs/facts.h"
 
 int main(int argc, char** argv)
 {

@@ -1,6 +1,6 @@
 #include "common/program/lesson_entry.h"
-#include "lessons/entries.h"
-#include "lessons/facts.h"
+#include "lessons/programs/entries.h"
+#include "lessons/programs/facts.h"
 
 #include "trace.h"
 

@@ -1,6 +1,6 @@
 #include "common/program/guarded_main.h"
-#include "lessons/entries.h"
-#include "lessons/lesson_main.h"
+#include "lessons/programs/entries.h"
+#include "lessons/programs/lesson_main.h"
 
 int main(int argc, char** argv)
 {

@@ -3,7 +3,7 @@
 #include <future>
 #include <thread>
 
-#include "lessons/entries.h"
+#include "lessons/programs/entries.h"
 #include "reference.h"
 
 namespace rt::lesson09

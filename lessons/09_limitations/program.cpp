@@ -6,8 +6,8 @@
 #include "common/files/scene_file.h"
 #include "common/program/cli.h"
 #include "common/tree/tree_growth.h"
-#include "lessons/entries.h"
-#include "lessons/facts.h"
+#include "lessons/programs/entries.h"
+#include "lessons/programs/facts.h"
 #include "pairs.h"
 
 namespace rt::lesson09

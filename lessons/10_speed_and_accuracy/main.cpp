@@ -1,5 +1,5 @@
 #include "common/program/guarded_main.h"
-#include "exhibits.h"
+#include "lessons/10_speed_and_accuracy/study/exhibits.h"
 
 int main(int argc, char** argv)
 {

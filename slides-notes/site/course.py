@@ -70,7 +70,7 @@ def lesson(number):
 
 def first_scene(wanted):
     """The scene that a lesson's program takes by default."""
-    facts = (ROOT / "lessons/facts.cpp").read_text()
+    facts = (ROOT / "lessons/programs/facts.cpp").read_text()
     named = re.search(rf'"(lessons/{wanted.folder.name}/scenes/\w+\.toml)"', facts)
     if named:
         return ROOT / named[1]

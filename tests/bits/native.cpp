@@ -6,7 +6,7 @@
 #include "common/files/text_file.h"
 #include "common/program/cli.h"
 #include "common/program/guarded_main.h"
-#include "lessons/registry.h"
+#include "lessons/programs/registry.h"
 #include "tests/bits/compared.h"
 
 namespace

@@ -6,7 +6,7 @@
 #include "common/files/scene_file.h"
 #include "common/scene/features.h"
 #include "common/scene/scene.h"
-#include "lessons/registry.h"
+#include "lessons/programs/registry.h"
 #include "tests/common/random_scene.h"
 #include "tests/common/scaled_scene.h"
 

@@ -3,7 +3,7 @@
 
 #include "common/files/scene_file.h"
 #include "common/tree/ray_tree.h"
-#include "lessons/registry.h"
+#include "lessons/programs/registry.h"
 
 namespace rt
 {

@@ -8,7 +8,7 @@
 #include "common/program/lesson_entry.h"
 #include "common/tree/tree_growth.h"
 #include "lessons/08_phong/trace.h"
-#include "lessons/registry.h"
+#include "lessons/programs/registry.h"
 
 namespace rt
 {

@@ -6,8 +6,8 @@
 
 #include "common/files/scene_file.h"
 #include "common/tree/explain.h"
-#include "lessons/formulas.h"
-#include "lessons/registry.h"
+#include "lessons/programs/formulas.h"
+#include "lessons/programs/registry.h"
 #include "tests/common/random_scene.h"
 
 namespace rt

@@ -8,7 +8,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "common/files/scene_file.h"
-#include "lessons/registry.h"
+#include "lessons/programs/registry.h"
 #include "tests/common/growth.h"
 #include "tests/common/random_scene.h"
 

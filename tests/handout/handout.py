@@ -28,8 +28,8 @@ import make_exercises  # noqa: E402
 
 # What is taken as it is, apart from marks. Nothing else is: a new file stays inside until it is named here.
 COMMON = ["common/*.h", "common/*/*.h", "common/*/*.cpp", "common/*/*.json", "common/CMakeLists.txt", "common/SCENES.md"]
-PROGRAMS = ["lessons/exercise_main.*", "lessons/facts.*", "lessons/program.*", "lessons/program_main.h"]
-GEOMETRY = ["functions.h", "figures*.*", "svg.*", "program.cpp", "tutorial.cpp", "tutorial.h"]
+PROGRAMS = ["lessons/programs/exercise_main.*", "lessons/programs/facts.*", "lessons/programs/program.*", "lessons/programs/program_main.h"]
+GEOMETRY = ["functions.h", "figures/*", "program.cpp", "tutorial.cpp", "tutorial.h"]
 CASES = ["check.h", "run_cases.h", "subject.h", "scenes.h", "cases.h", "lesson00_subject.h", "lesson00_cases.*"]
 ENGINE = ["tests/grade/result.*", "tests/grade/candidate.h", "tests/grade/box/*", "tests/grade/wire/*",
           "tests/learn/*.h", "tests/learn/*.cpp", "tests/grade/questions/manifest.*",

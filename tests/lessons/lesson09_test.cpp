@@ -9,7 +9,7 @@
 #include "common/files/scene_file.h"
 #include "common/program/program.h"
 #include "lessons/09_limitations/pairs.h"
-#include "lessons/entries.h"
+#include "lessons/programs/entries.h"
 #include "tests/common/random_scene.h"
 
 namespace rt::lesson09

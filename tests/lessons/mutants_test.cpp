@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lessons/registry.h"
+#include "lessons/programs/registry.h"
 #include "tests/cases/cases.h"
 #include "tests/cases/run_cases.h"
 

@@ -6,7 +6,7 @@
 
 #include "common/program/cli.h"
 #include "common/program/guarded_main.h"
-#include "lessons/10_speed_and_accuracy/metrics.h"
+#include "lessons/10_speed_and_accuracy/study/metrics.h"
 
 namespace
 {

@@ -12,7 +12,7 @@
 #include "common/files/scene_file.h"
 #include "common/program/guarded_main.h"
 #include "common/program/program.h"
-#include "lessons/registry.h"
+#include "lessons/programs/registry.h"
 #include "viz/window/window.h"
 
 namespace

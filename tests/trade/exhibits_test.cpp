@@ -1,13 +1,13 @@
 // Lesson 10's tracer with the good choices is lesson 08; each exhibit has its fault, and its cure removes it.
-#include "lessons/10_speed_and_accuracy/exhibits.h"
+#include "lessons/10_speed_and_accuracy/study/exhibits.h"
 
 #include <gtest/gtest.h>
 
 #include "common/files/scene_file.h"
 #include "common/program/program.h"
-#include "lessons/10_speed_and_accuracy/modelling.h"
-#include "lessons/10_speed_and_accuracy/study.h"
-#include "lessons/entries.h"
+#include "lessons/10_speed_and_accuracy/study/modelling.h"
+#include "lessons/10_speed_and_accuracy/study/study.h"
+#include "lessons/programs/entries.h"
 #include "tests/common/random_scene.h"
 
 namespace rt::lesson10

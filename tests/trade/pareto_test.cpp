@@ -1,4 +1,4 @@
-#include "lessons/10_speed_and_accuracy/pareto.h"
+#include "lessons/10_speed_and_accuracy/study/pareto.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "lessons/10_speed_and_accuracy/study.h"
+#include "lessons/10_speed_and_accuracy/study/study.h"
 
 #include <algorithm>
 #include <sstream>
@@ -7,9 +7,9 @@
 
 #include "common/files/scene_file.h"
 #include "common/program/program.h"
-#include "lessons/10_speed_and_accuracy/recommend.h"
-#include "lessons/10_speed_and_accuracy/report.h"
-#include "lessons/registry.h"
+#include "lessons/10_speed_and_accuracy/study/recommend.h"
+#include "lessons/10_speed_and_accuracy/study/report.h"
+#include "lessons/programs/registry.h"
 
 namespace rt::lesson10
 {

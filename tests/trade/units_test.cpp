@@ -1,4 +1,4 @@
-#include "lessons/10_speed_and_accuracy/units.h"
+#include "lessons/10_speed_and_accuracy/study/units.h"
 
 #include <limits>
 #include <stdexcept>

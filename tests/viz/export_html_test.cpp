@@ -11,8 +11,8 @@
 #include "common/files/scene_file.h"
 #include "common/program/program.h"
 #include "common/tree/events.h"
-#include "lessons/formulas.h"
-#include "lessons/registry.h"
+#include "lessons/programs/formulas.h"
+#include "lessons/programs/registry.h"
 
 namespace rt::viz
 {

@@ -21,7 +21,7 @@
 #include "common/files/scene_file.h"
 #include "common/program/program.h"
 #include "common/scene/scene.h"
-#include "lessons/registry.h"
+#include "lessons/programs/registry.h"
 #include "viz/drawing/rays.h"
 #include "viz/export/export_gltf.h"
 #include "viz/export/export_vtp.h"

@@ -7,7 +7,7 @@
 #include <unistd.h>
 
 #include "common/program/program.h"
-#include "lessons/registry.h"
+#include "lessons/programs/registry.h"
 
 namespace rt::viz
 {

@@ -1,7 +1,7 @@
 // A mesh is its triangles: whatever shows a scene shows both alike.
 #include <gtest/gtest.h>
 
-#include "lessons/registry.h"
+#include "lessons/programs/registry.h"
 #include "viz/drawing/object_meshes.h"
 #include "viz/drawing/rays.h"
 #include "viz/drawing/view.h"

@@ -7,7 +7,7 @@
 
 #include "common/files/scene_file.h"
 #include "common/program/program.h"
-#include "lessons/registry.h"
+#include "lessons/programs/registry.h"
 #include "viz/drawing/planes.h"
 #include "viz/drawing/ray_mesh.h"
 

@@ -9,7 +9,7 @@
 #include "common/files/scene_file.h"
 #include "common/files/text_file.h"
 #include "common/program/program.h"
-#include "lessons/registry.h"
+#include "lessons/programs/registry.h"
 #include "viz/state/state.h"
 
 namespace rt::viz

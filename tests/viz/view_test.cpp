@@ -5,7 +5,7 @@
 
 #include "common/files/scene_file.h"
 #include "common/program/program.h"
-#include "lessons/registry.h"
+#include "lessons/programs/registry.h"
 #include "viz/drawing/labels.h"
 
 namespace rt::viz

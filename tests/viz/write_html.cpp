@@ -9,8 +9,8 @@
 #include "common/files/text_file.h"
 #include "common/program/cli.h"
 #include "common/program/guarded_main.h"
-#include "lessons/formulas.h"
-#include "lessons/registry.h"
+#include "lessons/programs/formulas.h"
+#include "lessons/programs/registry.h"
 #include "viz/html/export_html.h"
 
 namespace rt::viz

@@ -10,7 +10,7 @@
 #include "common/files/scene_file.h"
 #include "common/files/text_file.h"
 #include "common/program/guarded_main.h"
-#include "lessons/registry.h"
+#include "lessons/programs/registry.h"
 #include "viz/export/export_gltf.h"
 #include "viz/export/export_vtp.h"
 

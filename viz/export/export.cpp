@@ -8,7 +8,7 @@
 
 #include "common/files/picture_file.h"
 #include "common/files/text_file.h"
-#include "lessons/formulas.h"
+#include "lessons/programs/formulas.h"
 #include "viz/export/export_gltf.h"
 #include "viz/export/export_vtp.h"
 #include "viz/html/export_html.h"

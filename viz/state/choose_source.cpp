@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "common/files/text_file.h"
-#include "lessons/registry.h"
+#include "lessons/programs/registry.h"
 #include "viz/state/tracer_source.h"
 
 namespace rt::viz

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "common/tree/explain.h"
-#include "lessons/formulas.h"
+#include "lessons/programs/formulas.h"
 
 namespace rt::viz
 {

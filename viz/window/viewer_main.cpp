@@ -15,7 +15,7 @@
 #include "common/files/text_file.h"
 #include "common/program/cli.h"
 #include "common/tree/tree_growth.h"
-#include "lessons/registry.h"
+#include "lessons/programs/registry.h"
 #include "viz/export/export.h"
 #include "viz/state/choose_source.h"
 #include "viz/state/scene_watch.h"

@@ -1,6 +1,6 @@
 #include "tests/grade/questions/question.h"
 
-#include "lessons/registry.h"
+#include "lessons/programs/registry.h"
 
 namespace rt::grade
 {

@@ -3,7 +3,7 @@
 #include <map>
 #include <mutex>
 
-#include "lessons/registry.h"
+#include "lessons/programs/registry.h"
 
 namespace rt::grade
 {

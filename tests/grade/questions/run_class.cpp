@@ -2,7 +2,7 @@
 
 #include "common/base/todo.h"
 #include "common/tree/tree_diff.h"
-#include "lessons/registry.h"
+#include "lessons/programs/registry.h"
 
 namespace rt::grade
 {

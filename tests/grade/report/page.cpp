@@ -9,7 +9,7 @@
 #include "common/files/markup.h"
 #include "common/files/picture_file.h"
 #include "common/files/text_file.h"
-#include "lessons/registry.h"
+#include "lessons/programs/registry.h"
 #include "tests/grade/digest.h"
 #include "tests/grade/report/text.h"
 

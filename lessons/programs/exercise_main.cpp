@@ -1,9 +1,9 @@
-#include "lessons/exercise_main.h"
+#include "lessons/programs/exercise_main.h"
 
 #include <fmt/format.h>
 
 #include "common/program/lesson_entry.h"
-#include "lessons/program_main.h"
+#include "lessons/programs/program_main.h"
 
 namespace rt
 {

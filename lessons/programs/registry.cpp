@@ -1,6 +1,6 @@
-#include "lessons/registry.h"
+#include "lessons/programs/registry.h"
 
-#include "lessons/entries.h"
+#include "lessons/programs/entries.h"
 
 namespace rt
 {

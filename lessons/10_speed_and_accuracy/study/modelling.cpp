@@ -13,7 +13,7 @@
 #include "lessons/06_fresnel/trace.h"
 #include "lessons/07_recursion_caps/trace.h"
 #include "lessons/08_phong/trace.h"
-#include "lessons/registry.h"
+#include "lessons/programs/registry.h"
 
 namespace rt::lesson10
 {

@@ -1,4 +1,4 @@
-#include "lessons/facts.h"
+#include "lessons/programs/facts.h"
 
 #include <algorithm>
 #include <iostream>

@@ -3,7 +3,7 @@
 
 #include "common/program/cli.h"
 #include "common/tree/explain.h"
-#include "lessons/facts.h"
+#include "lessons/programs/facts.h"
 
 namespace rt
 {

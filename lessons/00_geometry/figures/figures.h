@@ -1,7 +1,7 @@
 // The figures, one function each. They throw NotAttempted, or std::runtime_error if a number is not finite.
 #pragma once
 
-#include "lessons/00_geometry/svg.h"
+#include "lessons/00_geometry/figures/svg.h"
 #include "lessons/00_geometry/tutorial.h"
 
 namespace rt::lesson00

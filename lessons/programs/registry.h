@@ -4,7 +4,7 @@
 #include <span>
 
 #include "common/program/lesson_entry.h"
-#include "lessons/facts.h"
+#include "lessons/programs/facts.h"
 
 namespace rt
 {

@@ -1,4 +1,4 @@
-#include "lessons/00_geometry/figures.h"
+#include "lessons/00_geometry/figures/figures.h"
 
 namespace rt::lesson00
 {

@@ -1,9 +1,9 @@
-#include "lessons/lesson_main.h"
+#include "lessons/programs/lesson_main.h"
 
 #include <fmt/format.h>
 
 #include "common/program/lesson_entry.h"
-#include "lessons/formulas.h"
+#include "lessons/programs/formulas.h"
 
 namespace rt
 {

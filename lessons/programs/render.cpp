@@ -5,9 +5,9 @@
 
 #include "common/files/scene_file.h"
 #include "common/program/guarded_main.h"
-#include "lessons/formulas.h"
-#include "lessons/program.h"
-#include "lessons/registry.h"
+#include "lessons/programs/formulas.h"
+#include "lessons/programs/program.h"
+#include "lessons/programs/registry.h"
 
 namespace rt
 {

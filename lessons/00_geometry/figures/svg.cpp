@@ -1,4 +1,4 @@
-#include "lessons/00_geometry/svg.h"
+#include "lessons/00_geometry/figures/svg.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // Exercise 3.
 
-#include "lessons/00_geometry/figures.h"
+#include "lessons/00_geometry/figures/figures.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // The program of a lesson: scene in; picture, ray tree or explanation out.
 #pragma once
 
-#include "lessons/program_main.h"
+#include "lessons/programs/program_main.h"
 
 namespace rt
 {

@@ -1,4 +1,4 @@
-#include "lessons/program.h"
+#include "lessons/programs/program.h"
 
 #include <iostream>
 
@@ -8,7 +8,7 @@
 #include "common/files/scene_file.h"
 #include "common/tree/explain.h"
 #include "common/tree/tree_growth.h"
-#include "lessons/program_main.h"
+#include "lessons/programs/program_main.h"
 
 namespace rt
 {

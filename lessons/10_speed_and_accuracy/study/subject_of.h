@@ -2,9 +2,9 @@
 #pragma once
 
 #include "inspector.h"
+#include "lessons/10_speed_and_accuracy/trace.h"
+#include "lessons/10_speed_and_accuracy/world.h"
 #include "subject.h"
-#include "trace.h"
-#include "world.h"
 
 namespace rt::lesson10
 {

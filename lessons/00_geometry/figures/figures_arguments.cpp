@@ -1,6 +1,6 @@
 // Exercise 2: the figures that carry the argument.
 
-#include "lessons/00_geometry/figures.h"
+#include "lessons/00_geometry/figures/figures.h"
 
 namespace rt::lesson00
 {

@@ -1,4 +1,4 @@
-#include "lessons/formulas.h"
+#include "lessons/programs/formulas.h"
 
 #include "lessons/08_phong/trace.h"
 
