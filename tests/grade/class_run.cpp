@@ -38,7 +38,7 @@ std::optional<SubmissionResult> earlier(const std::string& path, const std::stri
 /// The scenes of failing pictures as files that the reports name: reports/scenes/06-glass.toml. They are the same for all.
 void writeScenes(SubmissionResult& result, const std::string& out)
 {
-    for (auto& one : result.classes)
+    for (auto& one : result.criteria)
     {
         if (!one.pictures || one.pictures->scene.empty()) continue;
         std::string words = one.name.starts_with("picture: ") ? one.name.substr(9) : one.name;

@@ -46,8 +46,8 @@ std::string handedOut(int lesson)
 bool mayBeUninitialised(const Answers& answers)
 {
     const auto has = [&answers](Outcome outcome) {
-        return std::any_of(answers.classes.begin(), answers.classes.end(),
-                           [outcome](const ClassResult& one) { return !one.hidden && one.outcome == outcome; });
+        return std::any_of(answers.criteria.begin(), answers.criteria.end(),
+                           [outcome](const CriterionResult& one) { return !one.hidden && one.outcome == outcome; });
     };
     return has(Outcome::wrong) && !has(Outcome::notDeterministic);
 }
@@ -56,7 +56,7 @@ bool mayBeUninitialised(const Answers& answers)
 void remarkOnTodos(SubmissionResult& result, const std::string& text)
 {
     for (const auto& id : todosLeft(text, handedOut(result.lesson)))
-        if (std::any_of(result.classes.begin(), result.classes.end(), [&](const ClassResult& one) {
+        if (std::any_of(result.criteria.begin(), result.criteria.end(), [&](const CriterionResult& one) {
                 return !one.hidden && one.exercise == id && one.outcome == Outcome::notAttempted;
             }))
             result.remarks.push_back(fmt::format(
@@ -101,7 +101,7 @@ SubmissionResult gradeOne(const Submission& submission, const Taken& taken, cons
     const auto failed = [&result](const char* why) {
         result.state = State::graderError;
         result.reason = why;
-        result.classes.clear();
+        result.criteria.clear();
     };
     try
     {
@@ -137,7 +137,7 @@ SubmissionResult gradeOne(const Submission& submission, const Taken& taken, cons
                 if (const auto remark = uninitialised(answers, ask(other, options))) answers.remarks.push_back(*remark);
             }
         }
-        result.classes = std::move(answers.classes);
+        result.criteria = std::move(answers.criteria);
         result.remarks.insert(result.remarks.end(), answers.remarks.begin(), answers.remarks.end());
         remarkOnTodos(result, taken.text);
     }

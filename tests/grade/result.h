@@ -10,7 +10,7 @@
 namespace rt::grade
 {
 
-/// How a class of cases ended; later ones are worse.
+/// How a criterion of cases ended; later ones are worse.
 enum class Outcome
 {
     passed,
@@ -44,11 +44,11 @@ struct PictureTriple
 };
 
 /// Cases that are worth points together.
-struct ClassResult
+struct CriterionResult
 {
     std::string exercise; ///< "06-fresnel"
     std::string name;     ///< "into glass"
-    bool hidden = false;  ///< its cases come from the course's secret: feedback names the class only
+    bool hidden = false;  ///< its cases come from the course's secret: feedback names the criterion only
     int cases = 0, passed = 0;
     double points = 0, most = 0;
     Outcome outcome = Outcome::passed;
@@ -76,7 +76,7 @@ struct SubmissionResult
     State state = State::graded;
     std::string reason;                      ///< one sentence if not graded; foreign text may stand in it
     std::vector<std::string> compilerErrors; ///< the first 20, without our paths: foreign text
-    std::vector<ClassResult> classes;        ///< by exercise, public before hidden
+    std::vector<CriterionResult> criteria;   ///< by exercise, public before hidden
     std::vector<std::string> remarks;        ///< for the student, as "glm::reflect is used"
     std::string studentText;                 ///< what the program printed: for the instructor only, foreign text
     std::string sandbox;                     ///< "bubblewrap", "chroot", "none"
@@ -86,13 +86,13 @@ struct SubmissionResult
     double points() const
     {
         double sum = 0;
-        for (const auto& one : classes) sum += one.points;
+        for (const auto& one : criteria) sum += one.points;
         return sum;
     }
     double most() const
     {
         double sum = 0;
-        for (const auto& one : classes) sum += one.most;
+        for (const auto& one : criteria) sum += one.most;
         return sum;
     }
 };

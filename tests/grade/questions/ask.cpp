@@ -4,7 +4,7 @@
 #include <span>
 
 #include "tests/grade/questions/known_mistakes.h"
-#include "tests/grade/questions/run_class.h"
+#include "tests/grade/questions/run_criterion.h"
 
 namespace rt::grade
 {
@@ -17,15 +17,15 @@ void addOnce(std::vector<std::string>& remarks, const std::string& remark)
     if (std::find(remarks.begin(), remarks.end(), remark) == remarks.end()) remarks.push_back(remark);
 }
 
-/// A class, how it went on each candidate that was asked, and its picture for the student's eyes.
+/// A criterion, how it went on each candidate that was asked, and its picture for the student's eyes.
 struct Asked
 {
-    const AskedClass* what;
-    std::vector<ClassRun> runs = {};
+    const AskedCriterion* what;
+    std::vector<CriterionRun> runs = {};
     std::optional<PictureTriple> picture = {};
 };
 
-/// What one process is asked: the classes of one exercise, public or hidden. So what one exercise does costs no other one
+/// What one process is asked: the criteria of one exercise, public or hidden. So what one exercise does costs no other one
 /// anything, and whoever has seen a hidden question is asked no public one, whose answers students see.
 using Part = std::span<Asked>;
 
@@ -53,7 +53,7 @@ void askPart(Part part, const Candidate& candidate, int lesson, const AskOptions
     {
         progress();
         if (!runs.empty() && runs.front().gaveUp) continue;
-        runs.push_back(runClass(*asked, candidate, options.stop, hangs));
+        runs.push_back(runCriterion(*asked, candidate, options.stop, hangs));
         hangs |= runs.back().gaveUp && runs.back().outOfTime;
         if (runs.back().picture && !asked->hidden && !picture)
             picture = compareFor(*asked, *runs.back().picture, candidate, lesson);
@@ -61,7 +61,7 @@ void askPart(Part part, const Candidate& candidate, int lesson, const AskOptions
     }
 }
 
-/// The exercises whose public classes ended the program, `all` of them or any.
+/// The exercises whose public criteria ended the program, `all` of them or any.
 std::vector<std::string> exercisesThatEnded(std::vector<Asked>& asked, bool all)
 {
     std::vector<std::string> exercises;
@@ -75,17 +75,17 @@ std::vector<std::string> exercisesThatEnded(std::vector<Asked>& asked, bool all)
 }
 
 /// Answers that the clock cut short say nothing of a program: the machine may have been busier in one run.
-bool differ(const ClassRun& first, const ClassRun& second)
+bool differ(const CriterionRun& first, const CriterionRun& second)
 {
     return !first.outOfTime && !second.outOfTime && first.fingerprint != second.fingerprint;
 }
 
-ClassResult resultOf(const Asked& of)
+CriterionResult resultOf(const Asked& of)
 {
     const auto& asked = *of.what;
     const auto& first = of.runs.front();
     const auto* second = of.runs.size() > 1 ? &of.runs[1] : nullptr;
-    ClassResult result;
+    CriterionResult result;
     result.exercise = asked.exercise;
     result.name = asked.name;
     result.hidden = asked.hidden;
@@ -114,7 +114,7 @@ bool picturesAreRightAndTreesAreNot(Part part)
            });
 }
 
-/// What students are told of all classes together comes from public ones only: it is the same whatever the secret.
+/// What students are told of all criteria together comes from public ones only: it is the same whatever the secret.
 std::vector<std::string> publicRemarks(std::vector<Asked>& asked, const std::vector<std::string>& hopeless)
 {
     std::vector<std::string> remarks;
@@ -138,7 +138,7 @@ std::vector<std::string> publicRemarks(std::vector<Asked>& asked, const std::vec
     return remarks;
 }
 
-/// Names the mistake in all failing classes of an exercise whose wrong public answers it explains.
+/// Names the mistake in all failing criteria of an exercise whose wrong public answers it explains.
 void nameMistakes(Answers& answers, const std::vector<Asked>& asked, int lesson)
 {
     WrongAnswers wrong;
@@ -151,7 +151,7 @@ void nameMistakes(Answers& answers, const std::vector<Asked>& asked, int lesson)
     }
     if (wrong.evidence.empty()) return; // the mutants are asked only if there is something to explain
     for (const auto& [exercise, sentence] : likelyMistakes(wrong, knownMistakes(lesson)))
-        for (auto& result : answers.classes)
+        for (auto& result : answers.criteria)
             if (result.exercise == exercise && result.outcome != Outcome::passed) result.mistake = sentence;
 }
 
@@ -184,7 +184,7 @@ Answers gradeCandidate(int lesson, const std::function<Candidate()>& start, cons
         hopeless = exercisesThatEnded(asked, true);
     }
     Answers answers;
-    for (const auto& one : asked) answers.classes.push_back(resultOf(one));
+    for (const auto& one : asked) answers.criteria.push_back(resultOf(one));
     answers.remarks = publicRemarks(asked, hopeless);
     if (options.mistakes) nameMistakes(answers, asked, lesson);
     return answers;
@@ -193,8 +193,8 @@ Answers gradeCandidate(int lesson, const std::function<Candidate()>& start, cons
 std::optional<std::string> uninitialised(const Answers& pattern, const Answers& zero)
 {
     std::vector<std::string> exercises;
-    for (const auto& one : pattern.classes)
-        for (const auto& other : zero.classes)
+    for (const auto& one : pattern.criteria)
+        for (const auto& other : zero.criteria)
             if (one.exercise == other.exercise && one.name == other.name && one.hidden == other.hidden &&
                 one.outcome != Outcome::passed && one.outcome != Outcome::timedOut && one.outcome != Outcome::notRun &&
                 other.outcome == Outcome::passed)

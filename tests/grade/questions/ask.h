@@ -23,11 +23,11 @@ struct Secret
 struct AskOptions
 {
     bool twice = true;                       ///< on a second fresh candidate too; what differs is not deterministic
-    bool pictures = true;                    ///< scenes; without them their points are shared by the other classes
+    bool pictures = true;                    ///< scenes; without them their points are shared by the other criteria
     bool mistakes = true;                    ///< name the likely mistake
     bool hidden = true;                      ///< ask the hidden questions too
     std::string only;                        ///< the id of one exercise; empty: all of the lesson
-    std::function<void(double)> progress;    ///< called after each class with the share done, in [0, 1]
+    std::function<void(double)> progress;    ///< called after each criterion with the share done, in [0, 1]
     const std::atomic<bool>* stop = nullptr; ///< set it to interrupt: gradeCandidate throws Interrupted
 };
 
@@ -38,8 +38,8 @@ struct Interrupted : std::runtime_error
 
 struct Answers
 {
-    std::vector<ClassResult> classes; ///< by exercise in the order of the manifest, public before hidden
-    std::vector<std::string> remarks; ///< each once
+    std::vector<CriterionResult> criteria; ///< by exercise in the order of the manifest, public before hidden
+    std::vector<std::string> remarks;      ///< each once
 };
 
 /// Lesson 0 to 8. start() gives a candidate in a fresh process, for each exercise, run, and once for its public and once for its

@@ -122,7 +122,7 @@ Question tintOrCap(Random& random, int index)
 
 } // namespace
 
-std::vector<QuestionClass> capClasses()
+std::vector<Criterion> capCriteria()
 {
     return {
         {"07-cap", "how deep mirrors are followed", depth},

@@ -249,7 +249,7 @@ Question visible(Random& random, int index, double blocked, double free)
 
 } // namespace
 
-std::vector<QuestionClass> directClasses()
+std::vector<Criterion> directCriteria()
 {
     return {
         {"01-sphere", "from outside", fromOutside},

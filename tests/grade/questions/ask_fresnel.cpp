@@ -147,7 +147,7 @@ Question modelOfTheScene(Random& random, int index)
 
 } // namespace
 
-std::vector<QuestionClass> fresnelClasses()
+std::vector<Criterion> fresnelCriteria()
 {
     return {
         {"06-split", "the two shares", shares},

@@ -187,7 +187,7 @@ Question askCircle(Random& random, const V3& D)
 
 } // namespace
 
-std::vector<QuestionClass> geometryClasses()
+std::vector<Criterion> geometryCriteria()
 {
     return {
         {"00-slope", "slanting lines", [](Random& r, int) { return askSlope(points2(r)); }},

@@ -144,7 +144,7 @@ Question sharesInTheTree(Random& random, int)
 
 } // namespace
 
-std::vector<QuestionClass> mirrorClasses()
+std::vector<Criterion> mirrorCriteria()
 {
     return {
         {"02-mirror", "colour of one mirror", oneMirror},
@@ -159,7 +159,7 @@ std::vector<QuestionClass> mirrorClasses()
     };
 }
 
-std::vector<QuestionClass> partialClasses()
+std::vector<Criterion> partialCriteria()
 {
     return {
         {"03-blend", "the blend of both parts", blend},

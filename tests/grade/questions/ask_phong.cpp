@@ -106,7 +106,7 @@ Question inAMirror(Random& random, int)
 
 } // namespace
 
-std::vector<QuestionClass> phongClasses()
+std::vector<Criterion> phongCriteria()
 {
     return {
         {"08-phong", "around the highlight", highlight},

@@ -158,7 +158,7 @@ Question panes(Random& random, int index)
 
 } // namespace
 
-std::vector<QuestionClass> refractionClasses()
+std::vector<Criterion> refractionCriteria()
 {
     return {
         {"05-glass", "through a ball", through},

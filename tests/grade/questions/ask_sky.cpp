@@ -92,7 +92,7 @@ Question behindTheCap(Random& random, int index)
 
 } // namespace
 
-std::vector<QuestionClass> skyClasses()
+std::vector<Criterion> skyCriteria()
 {
     return {
         {"04-miss", "a sky of one colour", oneColour},

@@ -34,14 +34,14 @@ Answers grade(int lesson, const Candidate& candidate, const Secret& with = secre
         lesson, [&] { return candidate; }, with, options);
 }
 
-double sum(const Answers& answers, double ClassResult::*what)
+double sum(const Answers& answers, double CriterionResult::*what)
 {
     double all = 0;
-    for (const auto& one : answers.classes) all += one.*what;
+    for (const auto& one : answers.criteria) all += one.*what;
     return all;
 }
 
-std::string describe(const ClassResult& one)
+std::string describe(const CriterionResult& one)
 {
     auto text =
         fmt::format("{}, {}{}: {} of {}, {:.3g} of {:.3g} points, {}", one.exercise, one.hidden ? "hidden " : "",
@@ -54,7 +54,7 @@ std::string describe(const ClassResult& one)
 
 void expectFullMarks(int lesson, const Candidate& candidate, const Secret& with = secret)
 {
-    for (const auto& one : grade(lesson, candidate, with).classes)
+    for (const auto& one : grade(lesson, candidate, with).criteria)
     {
         EXPECT_EQ(one.outcome, Outcome::passed) << describe(one);
         EXPECT_DOUBLE_EQ(one.points, one.most) << describe(one);
@@ -83,7 +83,7 @@ TEST_P(Lesson, ThatIsSolvedGetsFullMarksWithAnySecret)
         }
         EXPECT_NEAR(all, points, 1e-9)
             << "points that questions give, and points in lessons/exercises.toml: an exercise has "
-               "no class of questions in an ask_*.cpp";
+               "no criterion in an ask_*.cpp";
         EXPECT_NEAR(shown, 0.3 * points, 1e-9);
     }
 }
@@ -91,7 +91,7 @@ TEST_P(Lesson, ThatIsSolvedGetsFullMarksWithAnySecret)
 TEST_P(Lesson, ThatIsUntouchedGetsNothing)
 {
     const auto answers = grade(GetParam(), untouched(GetParam()));
-    for (const auto& one : answers.classes)
+    for (const auto& one : answers.criteria)
     {
         EXPECT_EQ(one.outcome, Outcome::notAttempted) << describe(one);
         EXPECT_EQ(one.points, 0) << describe(one);
@@ -127,7 +127,7 @@ TEST_P(Lesson, MarksEachKnownMistake)
         double shown = 0, hidden = 0;
         std::map<std::string, int> named;
         std::string killers;
-        for (const auto& one : answers.classes)
+        for (const auto& one : answers.criteria)
         {
             (one.hidden ? hidden : shown) += one.most - one.points;
             if (one.points < one.most) killers += fmt::format("; {}{}", one.hidden ? "" : "public ", one.name);
@@ -137,8 +137,8 @@ TEST_P(Lesson, MarksEachKnownMistake)
         EXPECT_GT(hidden, 0) << mutant.id << ": " << mutant.mistake;
         std::string names;
         for (const auto& [sentence, count] : named) names += (names.empty() ? "" : " / ") + sentence;
-        const auto line =
-            fmt::format("{} {:.2f} of {:.0f}, named: {}", mutant.id, sum(answers, &ClassResult::points), most, names);
+        const auto line = fmt::format("{} {:.2f} of {:.0f}, named: {}", mutant.id,
+                                      sum(answers, &CriterionResult::points), most, names);
         if (std::getenv("RAYTREE_SHOW_MARKS"))
             fmt::print("{}{}\n", line, std::getenv("RAYTREE_SHOW_MARKS")[0] == 'k' ? killers : "");
         EXPECT_EQ(marks[mutant.id], line) << "marks.txt; RAYTREE_SHOW_MARKS=1 prints what belongs there";
@@ -191,7 +191,7 @@ Candidate constant(double x)
 TEST_P(Lesson, GivesNothingForConstants)
 {
     for (const double x : {0.0, 1.0, 0.5, 0.04, double(NAN)})
-        for (const auto& one : grade(GetParam(), constant(x)).classes)
+        for (const auto& one : grade(GetParam(), constant(x)).criteria)
             EXPECT_EQ(one.points, 0) << x << ": " << describe(one);
 }
 
@@ -207,7 +207,7 @@ Answers spoilt(int lesson, const std::function<void(Image&)>& spoil)
     return grade(lesson, candidate);
 }
 
-bool isPicture(const ClassResult& one)
+bool isPicture(const CriterionResult& one)
 {
     return one.name.starts_with("picture");
 }
@@ -227,7 +227,7 @@ TEST_P(Lesson, GivesNothingForPicturesThatAreNone)
     for (const auto& spoil : all)
     {
         int pictures = 0;
-        for (const auto& one : spoilt(GetParam(), spoil).classes)
+        for (const auto& one : spoilt(GetParam(), spoil).criteria)
             if (isPicture(one))
             {
                 EXPECT_EQ(one.points, 0) << describe(one);
@@ -240,7 +240,7 @@ TEST_P(Lesson, GivesNothingForPicturesThatAreNone)
 
 TEST(Pictures, WithOneValueThatIsNotFiniteGetNinetyPercent)
 {
-    for (const auto& one : spoilt(2, [](Image& image) { image.at(0, 0).x = INFINITY; }).classes)
+    for (const auto& one : spoilt(2, [](Image& image) { image.at(0, 0).x = INFINITY; }).criteria)
     {
         if (!isPicture(one)) continue;
         EXPECT_NEAR(one.points, 0.9 * one.most, 1e-12);
@@ -278,7 +278,7 @@ TEST(Pictures, ThatAreWrongComeWithTheWorstPixelAndTheFirstDifferenceOfTheTrees)
     {
         if (mutant.id != "05-media-swapped") continue;
         int triples = 0;
-        for (const auto& one : grade(5, {.tracer = mutant.subject}).classes)
+        for (const auto& one : grade(5, {.tracer = mutant.subject}).criteria)
         {
             EXPECT_TRUE(!one.hidden || (!one.pictures && !one.example)) << describe(one);
             if (!one.pictures) continue;
@@ -301,7 +301,7 @@ TEST(Examples, OfVectorsTellTheAngleBetween)
 {
     auto candidate = solved(2);
     candidate.tracer.reflect = [](const V& D, const V&) { return D; };
-    for (const auto& one : grade(2, candidate).classes)
+    for (const auto& one : grade(2, candidate).criteria)
         if (one.name == "oblique" && !one.hidden)
         {
             ASSERT_TRUE(one.example && one.example->degrees) << describe(one);
@@ -345,10 +345,10 @@ TEST(Secrets, ThatAreTheSameGiveTheSameBits)
     EXPECT_EQ(wordsOf(*questionSet(5, secret, true), true), before);
 }
 
-TEST(Secrets, ThatAreEmptyGiveAllPointsToThePublicClasses)
+TEST(Secrets, ThatAreEmptyGiveAllPointsToThePublicCriteria)
 {
     double most = 0;
-    for (const auto& one : grade(3, solved(3), {}).classes)
+    for (const auto& one : grade(3, solved(3), {}).criteria)
     {
         EXPECT_FALSE(one.hidden);
         most += one.most;
@@ -376,7 +376,7 @@ TEST(TwoRuns, ThatDifferCountAsTheWorseOneAndAreSaidToDiffer)
         candidate.fingerprint = [bits] { return std::exchange(*bits, 0); };
         return candidate;
     });
-    for (const auto& one : answers.classes)
+    for (const auto& one : answers.criteria)
     {
         const bool about = one.exercise == "02-reflect";
         EXPECT_EQ(one.outcome, about ? Outcome::notDeterministic : Outcome::passed) << describe(one);
@@ -396,7 +396,7 @@ TEST(TwoRuns, ThatTheClockCutShortAreNotSaidToDiffer)
             candidate.fingerprint = [run] { return std::uint64_t(run); };
             return candidate;
         });
-        for (const auto& one : answers.classes)
+        for (const auto& one : answers.criteria)
             if (one.exercise == "02-reflect")
             {
                 EXPECT_EQ(one.outcome, ending) << describe(one);
@@ -417,7 +417,7 @@ TEST(TwoRuns, CatchDeathsForEachQuestionAndKeepTheWorstOne)
         };
         return candidate;
     });
-    for (const auto& one : answers.classes)
+    for (const auto& one : answers.criteria)
     {
         if (one.name == "grazing")
         {
@@ -429,7 +429,7 @@ TEST(TwoRuns, CatchDeathsForEachQuestionAndKeepTheWorstOne)
         EXPECT_EQ(one.points, 0);
         ASSERT_EQ(one.example.has_value(), !one.hidden);
         if (one.hidden) continue;
-        EXPECT_EQ(one.example->got, "it ran for 10 seconds; the class was lost then, the rest was not asked");
+        EXPECT_EQ(one.example->got, "it ran for 10 seconds; its points were lost then, the rest was not asked");
     }
 }
 
@@ -448,24 +448,24 @@ Answers gradeDying(Outcome how, int& deaths)
 
 TEST(Deaths, AreNotAskedForWhereNothingIsLeftToEarn)
 {
-    int publicClasses = 0, hiddenClasses = 0;
+    int publicCriteria = 0, hiddenCriteria = 0;
     for (const auto& one : *questionSet(2, secret, true))
-        if (one.exercise == "02-reflect") ++(one.hidden ? hiddenClasses : publicClasses);
+        if (one.exercise == "02-reflect") ++(one.hidden ? hiddenCriteria : publicCriteria);
     int crashes = 0, hangs = 0;
     const auto answers = gradeDying(Outcome::crashed, crashes);
-    for (const auto& one : answers.classes)
+    for (const auto& one : answers.criteria)
     {
         EXPECT_EQ(one.points, one.exercise == "02-reflect" ? 0 : one.most) << describe(one);
         EXPECT_EQ(one.outcome, one.exercise != "02-reflect" ? Outcome::passed
                                : one.hidden                 ? Outcome::notRun
                                                             : Outcome::crashed);
     }
-    // Three of 40 lose a class; no second run, and no hidden classes when all public ones are lost.
-    EXPECT_LE(crashes, 3 * publicClasses);
+    // Three of 40 lose a criterion; no second run, and no hidden criteria when all public ones are lost.
+    EXPECT_LE(crashes, 3 * publicCriteria);
     EXPECT_EQ(answers.remarks, std::vector<std::string>{
                                    "all public cases of 02-reflect ended the program, so no hidden ones were asked"});
     gradeDying(Outcome::timedOut, hangs);
-    EXPECT_LE(hangs, publicClasses + 2) << "each costs seconds: after the first class that is lost, one is enough";
+    EXPECT_LE(hangs, publicCriteria + 2) << "each costs seconds: after the first criterion that is lost, one is enough";
 }
 
 TEST(Deaths, OfSeveralExercisesAreSaidToHaveOneCausePerhaps)
@@ -504,7 +504,7 @@ TEST(Secrets, DoNotReachWhatStudentsSee)
         const auto shown = [how](const char* with) {
             const auto answers = gradeTwice(2, [how](int) { return tellTale(how); }, {with, ""});
             std::string all = fmt::format("{}\n", fmt::join(answers.remarks, "\n"));
-            for (const auto& one : answers.classes)
+            for (const auto& one : answers.criteria)
             {
                 if (!one.hidden) all += describe(one) + "\n";
                 if (one.pictures) all += one.pictures->divergence + "\n";
@@ -546,8 +546,8 @@ TEST(LikelyMistakes, AreNotMadeUp)
         return T ? std::optional<V>(*T + 0.1 * N) : T;
     };
     odd.tracer.cosSquared2 = [](double cos1, double, double) { return cos1 * cos1 * cos1; };
-    for (const auto& one : grade(5, odd, secret, true).classes) EXPECT_EQ(one.mistake, "") << describe(one);
-    for (const auto& one : grade(2, constant(0.25), secret, true).classes) EXPECT_EQ(one.mistake, "") << describe(one);
+    for (const auto& one : grade(5, odd, secret, true).criteria) EXPECT_EQ(one.mistake, "") << describe(one);
+    for (const auto& one : grade(2, constant(0.25), secret, true).criteria) EXPECT_EQ(one.mistake, "") << describe(one);
 }
 
 TEST(Questions, AreSafeOnlyWhereRoundingDoesNotDecide)

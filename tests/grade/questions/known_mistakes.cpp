@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/grade/questions/run_class.h"
+#include "tests/grade/questions/run_criterion.h"
 #include "tests/lessons/lesson00_mutants.h"
 #include "tests/lessons/mutants.h"
 
@@ -40,7 +40,7 @@ const std::vector<KnownMistake>& knownMistakes(int lesson)
         if (mutant.endless) continue;
         KnownMistake one{mutant.id, mutant.mistake, {}};
         for (const auto& asked : *set)
-            for (const auto& [question, answer] : runClass(asked, mutant.candidate, {}).evidence)
+            for (const auto& [question, answer] : runCriterion(asked, mutant.candidate, {}).evidence)
                 one.evidence[asked.exercise][question] = answer;
         all.push_back(one);
     }

@@ -173,28 +173,28 @@ Question askTree(const std::string& what, const SceneDescription& scene, const V
             Shape::numbers, forTraces, ask, safety(scene, origin, direction)};
 }
 
-std::vector<QuestionClass> questionClasses(int lesson)
+std::vector<Criterion> questionCriteria(int lesson)
 {
     switch (lesson)
     {
     case 0:
-        return geometryClasses();
+        return geometryCriteria();
     case 1:
-        return directClasses();
+        return directCriteria();
     case 2:
-        return mirrorClasses();
+        return mirrorCriteria();
     case 3:
-        return partialClasses();
+        return partialCriteria();
     case 4:
-        return skyClasses();
+        return skyCriteria();
     case 5:
-        return refractionClasses();
+        return refractionCriteria();
     case 6:
-        return fresnelClasses();
+        return fresnelCriteria();
     case 7:
-        return capClasses();
+        return capCriteria();
     case 8:
-        return phongClasses();
+        return phongCriteria();
     default:
         return {};
     }

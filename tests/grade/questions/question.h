@@ -56,9 +56,9 @@ struct Question
     std::function<bool(int lesson)> safe;
 };
 
-/// Questions about one thing that can be wrong. `make` gives one of them; `index` counts them, so that a class can mix kinds
-/// evenly: a constant answer must never be right for 95 % of a class.
-struct QuestionClass
+/// Questions about one thing that can be wrong. `make` gives one of them; `index` counts them, so that a criterion can mix kinds
+/// evenly: a constant answer must never be right for 95 % of a criterion.
+struct Criterion
 {
     const char* exercise;
     const char* name;
@@ -66,7 +66,7 @@ struct QuestionClass
 };
 
 /// A small scene of which only the pixels count that show one feature.
-struct SceneClass
+struct SceneCriterion
 {
     const char* exercise;
     const char* name;
@@ -74,10 +74,10 @@ struct SceneClass
     bool (*shows)(const RayTree&);
 };
 
-std::vector<QuestionClass> questionClasses(int lesson);
-std::vector<SceneClass> sceneClasses(int lesson);
+std::vector<Criterion> questionCriteria(int lesson);
+std::vector<SceneCriterion> sceneCriteria(int lesson);
 
-inline constexpr int questionsInAClass = 40;
+inline constexpr int questionsInACriterion = 40;
 
 /// Index of the first wrong value (a missing one too), or nothing. A name is never compared.
 std::optional<std::size_t> firstWrong(const Question& question, const Answer& expected, const Answer& got);
@@ -98,15 +98,15 @@ inline std::string text(const V& v)
     return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z);
 }
 
-// The classes of one lesson each.
-std::vector<QuestionClass> geometryClasses();
-std::vector<QuestionClass> directClasses();
-std::vector<QuestionClass> mirrorClasses();
-std::vector<QuestionClass> partialClasses();
-std::vector<QuestionClass> skyClasses();
-std::vector<QuestionClass> refractionClasses();
-std::vector<QuestionClass> fresnelClasses();
-std::vector<QuestionClass> capClasses();
-std::vector<QuestionClass> phongClasses();
+// The criteria of one lesson each.
+std::vector<Criterion> geometryCriteria();
+std::vector<Criterion> directCriteria();
+std::vector<Criterion> mirrorCriteria();
+std::vector<Criterion> partialCriteria();
+std::vector<Criterion> skyCriteria();
+std::vector<Criterion> refractionCriteria();
+std::vector<Criterion> fresnelCriteria();
+std::vector<Criterion> capCriteria();
+std::vector<Criterion> phongCriteria();
 
 } // namespace rt::grade

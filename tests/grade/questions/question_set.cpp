@@ -25,11 +25,11 @@ Random randomOf(const std::string& key, int lesson, const Secret& secret, const 
                                    secret.term, exercise.size(), exercise, name.size(), name));
 }
 
-void addQuestions(AskedClass& one, const QuestionClass& which, Random random, int lesson, const Candidate& lessons)
+void addQuestions(AskedCriterion& one, const Criterion& which, Random random, int lesson, const Candidate& lessons)
 {
-    for (int index = 0, tries = 0; index < questionsInAClass; ++tries)
+    for (int index = 0, tries = 0; index < questionsInACriterion; ++tries)
     {
-        if (tries == 100 * questionsInAClass)
+        if (tries == 100 * questionsInACriterion)
             throw std::runtime_error(
                 fmt::format("{}, {}: no questions whose answer does not hang on rounding", one.exercise, one.name));
         const auto question = which.make(random, index);
@@ -41,7 +41,7 @@ void addQuestions(AskedClass& one, const QuestionClass& which, Random random, in
 }
 
 /// Pixels that show the feature, are not black, and are not at an edge: nearly the same from slightly aside and in float.
-std::vector<bool> sureOnes(const SceneDescription& scene, const Image& picture, const SceneClass& which,
+std::vector<bool> sureOnes(const SceneDescription& scene, const Image& picture, const SceneCriterion& which,
                            const LessonEntry& entry)
 {
     std::vector<bool> sure(picture.pixels.size());
@@ -65,7 +65,7 @@ std::vector<bool> sureOnes(const SceneDescription& scene, const Image& picture, 
     return sure;
 }
 
-PictureQuestion pictureOf(const SceneClass& which, Random random, int lesson, const Candidate& lessons)
+PictureQuestion pictureOf(const SceneCriterion& which, Random random, int lesson, const Candidate& lessons)
 {
     for (int tries = 0; tries < 100; ++tries)
     {
@@ -83,7 +83,7 @@ PictureQuestion pictureOf(const SceneClass& which, Random random, int lesson, co
         fmt::format("{}, {}: no scene shows it in {} pixels", which.exercise, which.name, fewestPixels));
 }
 
-/// "Cutoff + Tint" is one class of two groups.
+/// "Cutoff + Tint" is one criterion of two groups.
 void addOwnCases(QuestionSet& set, const Exercise& exercise)
 {
     for (const auto& groups : exercise.cases)
@@ -91,7 +91,7 @@ void addOwnCases(QuestionSet& set, const Exercise& exercise)
         const auto belongs = [&](const char* group) {
             return (" + " + groups + " + ").find(fmt::format(" + {} + ", group)) != std::string::npos;
         };
-        AskedClass one{.exercise = exercise.id, .name = "cases of the lesson: " + groups};
+        AskedCriterion one{.exercise = exercise.id, .name = "cases of the lesson: " + groups};
         for (const auto& which : cases::ownCases(exercise.lesson))
             if (belongs(which.group)) one.own.push_back(which);
         if (exercise.lesson == 0)
@@ -117,7 +117,7 @@ QuestionSet makeSet(int lesson, const Secret& secret, bool pictures)
             if (hidden && secret.course.empty()) continue;
             const std::string key = hidden ? secret.course : "public";
             const Secret terms = hidden ? secret : Secret{};
-            for (const auto& which : questionClasses(lesson))
+            for (const auto& which : questionCriteria(lesson))
                 if (which.exercise == exercise.id)
                 {
                     set.push_back({.exercise = exercise.id, .name = which.name, .hidden = hidden});
@@ -125,7 +125,7 @@ QuestionSet makeSet(int lesson, const Secret& secret, bool pictures)
                                  lessons);
                 }
             if (!pictures) continue;
-            for (const auto& which : sceneClasses(lesson))
+            for (const auto& which : sceneCriteria(lesson))
                 if (which.exercise == exercise.id)
                 {
                     set.push_back({.exercise = exercise.id, .name = which.name, .hidden = hidden});
@@ -176,7 +176,7 @@ double pictureCredit(const PictureQuestion& question, const Image& got)
 
 std::shared_ptr<const QuestionSet> questionSet(int lesson, const Secret& secret, bool pictures)
 {
-    // A class of students is asked the same questions; what the lesson answers is computed once.
+    // A criterion of students is asked the same questions; what the lesson answers is computed once.
     static std::mutex mutex;
     static std::map<std::string, std::shared_ptr<const QuestionSet>> kept;
     const std::lock_guard lock(mutex);

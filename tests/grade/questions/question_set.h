@@ -1,4 +1,4 @@
-// All classes of one lesson: its own cases, the public questions and the hidden ones, with what the lesson answers.
+// All criteria of one lesson: its own cases, the public questions and the hidden ones, with what the lesson answers.
 #pragma once
 
 #include <memory>
@@ -21,7 +21,7 @@ struct PictureQuestion
 };
 
 /// One of three: cases of the lesson's own, questions, or a picture.
-struct AskedClass
+struct AskedCriterion
 {
     std::string exercise, name;
     bool hidden = false;
@@ -33,10 +33,10 @@ struct AskedClass
     std::optional<PictureQuestion> picture = {};
 };
 
-using QuestionSet = std::vector<AskedClass>;
+using QuestionSet = std::vector<AskedCriterion>;
 
-/// Made once for each lesson, secret and choice of pictures; a few sets are kept. Without a secret: the public classes.
-/// Thread-safe. Throws std::runtime_error if the manifest is broken, or a class finds no question whose answer is sure.
+/// Made once for each lesson, secret and choice of pictures; a few sets are kept. Without a secret: the public criteria.
+/// Thread-safe. Throws std::runtime_error if the manifest is broken, or a criterion finds no question whose answer is sure.
 std::shared_ptr<const QuestionSet> questionSet(int lesson, const Secret& secret, bool pictures);
 
 /// A pixel's difference: 0 if it is right, else how far off its worst channel is; infinite if that is not finite.

@@ -160,7 +160,7 @@ bool isGlossy(const RayTree& tree)
 
 } // namespace
 
-std::vector<SceneClass> sceneClasses(int lesson)
+std::vector<SceneCriterion> sceneCriteria(int lesson)
 {
     switch (lesson)
     {

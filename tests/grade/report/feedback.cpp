@@ -10,7 +10,7 @@
 namespace rt::grade
 {
 
-bool isFull(const ClassResult& one)
+bool isFull(const CriterionResult& one)
 {
     return one.outcome == Outcome::passed && one.points >= one.most;
 }
@@ -24,12 +24,12 @@ std::string pointsText(double points)
     return text == "-0" ? "0" : text;
 }
 
-std::string className(const ClassResult& one)
+std::string criterionName(const CriterionResult& one)
 {
     return fmt::format("{}: {}{}", cleanLine(one.exercise), cleanLine(one.name), one.hidden ? " (hidden cases)" : "");
 }
 
-std::vector<std::string> classFeedback(const ClassResult& one)
+std::vector<std::string> criterionFeedback(const CriterionResult& one)
 {
     std::vector<std::string> lines;
     if (!one.hidden)
@@ -68,10 +68,10 @@ std::string stateSentence(const SubmissionResult& result)
     return reason.empty() ? state + "." : state + ": " + reason;
 }
 
-std::vector<ExercisePoints> pointsByExercise(std::span<const ClassResult> classes)
+std::vector<ExercisePoints> pointsByExercise(std::span<const CriterionResult> criteria)
 {
     std::vector<ExercisePoints> exercises;
-    for (const auto& one : classes)
+    for (const auto& one : criteria)
     {
         auto at = std::find_if(exercises.begin(), exercises.end(),
                                [&](const ExercisePoints& known) { return known.exercise == one.exercise; });

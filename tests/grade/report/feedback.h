@@ -10,27 +10,27 @@
 namespace rt::grade
 {
 
-/// Full marks were earned: what is not true of any other class is feedback worth reading.
-bool isFull(const ClassResult& one);
+/// Full marks were earned: what is not true of any other criterion is feedback worth reading.
+bool isFull(const CriterionResult& one);
 
 /// "2.5", "10": at most two decimals.
 std::string pointsText(double points);
 
 /// "06-fresnel: into glass", with ", hidden cases" if they are.
-std::string className(const ClassResult& one);
+std::string criterionName(const CriterionResult& one);
 
-/// How a class ended, for the student, line by line. Of hidden cases only a likely mistake.
-std::vector<std::string> classFeedback(const ClassResult& one);
+/// How a criterion ended, for the student, line by line. Of hidden cases only a likely mistake.
+std::vector<std::string> criterionFeedback(const CriterionResult& one);
 
 /// How far the submission came, for the student: "Graded: 7.5 of 10 points." or the state and the reason.
 std::string stateSentence(const SubmissionResult& result);
 
-/// One exercise of a submission: the sums over its classes, in the order of the first of each.
+/// One exercise of a submission: the sums over its criteria, in the order of the first of each.
 struct ExercisePoints
 {
     std::string exercise;
     double points = 0, most = 0;
 };
-std::vector<ExercisePoints> pointsByExercise(std::span<const ClassResult> classes);
+std::vector<ExercisePoints> pointsByExercise(std::span<const CriterionResult> criteria);
 
 } // namespace rt::grade

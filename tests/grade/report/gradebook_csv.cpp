@@ -57,7 +57,7 @@ std::string gradebookCsv(std::span<const SubmissionResult> results)
         text += fmt::format("{},{},{},{},{},{}", cell(result.student), result.lesson, cell(name(result.state)),
                             pointsText(points), pointsText(most),
                             most > 0 ? fmt::format("{:.1f}", 100 * points / most) : "0");
-        const auto own = pointsByExercise(result.classes);
+        const auto own = pointsByExercise(result.criteria);
         for (const auto& exercise : exercises)
         {
             const auto at =

@@ -19,7 +19,7 @@ void set(pugi::xml_node node, const char* attribute, const std::string& value)
     node.append_attribute(attribute).set_value(value.c_str());
 }
 
-void addCase(pugi::xml_node suite, const ClassResult& one)
+void addCase(pugi::xml_node suite, const CriterionResult& one)
 {
     auto test = suite.append_child("testcase");
     set(test, "classname", cleanLine(one.exercise));
@@ -29,7 +29,7 @@ void addCase(pugi::xml_node suite, const ClassResult& one)
     set(failure, "type", one.hidden ? "hidden cases" : name(one.outcome));
     set(failure, "message", fmt::format("{} of {} points", pointsText(one.points), pointsText(one.most)));
     std::string text;
-    for (const auto& line : classFeedback(one)) text += line + "\n";
+    for (const auto& line : criterionFeedback(one)) text += line + "\n";
     failure.text().set(text.c_str());
 }
 
@@ -38,13 +38,13 @@ void addSuite(pugi::xml_node root, const SubmissionResult& result)
     auto suite = root.append_child("testsuite");
     set(suite, "name", cleanLine(result.student));
     int failures = 0;
-    for (const auto& one : result.classes) failures += isFull(one) ? 0 : 1;
+    for (const auto& one : result.criteria) failures += isFull(one) ? 0 : 1;
     const bool graded = result.state == State::graded;
-    set(suite, "tests", fmt::format("{}", result.classes.size() + (graded ? 0 : 1)));
+    set(suite, "tests", fmt::format("{}", result.criteria.size() + (graded ? 0 : 1)));
     set(suite, "failures", fmt::format("{}", failures));
     set(suite, "errors", graded ? "0" : "1");
     set(suite, "time", fmt::format("{:.3f}", result.seconds));
-    for (const auto& one : result.classes) addCase(suite, one);
+    for (const auto& one : result.criteria) addCase(suite, one);
     if (graded) return;
     auto test = suite.append_child("testcase");
     set(test, "classname", fmt::format("lesson {:02}", result.lesson));

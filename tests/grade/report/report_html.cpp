@@ -50,11 +50,11 @@ std::string unsafeNote(const SubmissionResult& result)
 
 std::string pointsTable(const SubmissionResult& result)
 {
-    if (result.classes.empty()) return "";
+    if (result.criteria.empty()) return "";
     std::string text = "<section class=\"card\">\n<h2>Points</h2>\n<table>\n<thead><tr><th scope=\"col\">exercise</th>"
                        "<th scope=\"col\" class=\"graph\"><span></span></th><th scope=\"col\" class=\"n\">points</th>"
                        "<th scope=\"col\" class=\"n\">of</th></tr></thead>\n<tbody>\n";
-    for (const auto& one : pointsByExercise(result.classes))
+    for (const auto& one : pointsByExercise(result.criteria))
     {
         const auto* facts = findExercise(one.exercise);
         text += fmt::format("<tr><th scope=\"row\">{}{}</th><td class=\"graph\">{}</td>{}</tr>\n",
@@ -84,7 +84,7 @@ std::string pictureFeedback(const PictureTriple& all)
     return text;
 }
 
-std::string failing(const ClassResult& one, Reader reader)
+std::string failing(const CriterionResult& one, Reader reader)
 {
     const auto* facts = findExercise(one.exercise);
     std::string where = html(one.exercise);
@@ -119,7 +119,7 @@ std::string failing(const ClassResult& one, Reader reader)
 std::string whatWentWrong(const SubmissionResult& result, Reader reader)
 {
     std::string text;
-    for (const auto& one : result.classes)
+    for (const auto& one : result.criteria)
         if (!isFull(one)) text += failing(one, reader);
     if (text.empty()) return "";
     return "<section class=\"card\">\n<h2>What to look at</h2>\n" + text + "</section>\n";
@@ -127,13 +127,13 @@ std::string whatWentWrong(const SubmissionResult& result, Reader reader)
 
 std::string classTable(const SubmissionResult& result, Reader reader)
 {
-    if (result.classes.empty()) return "";
+    if (result.criteria.empty()) return "";
     std::string text =
         "<section class=\"card\">\n<h2>All cases</h2>\n<div class=\"scroll\" tabindex=\"0\" role=\"region\" "
         "aria-label=\"all cases\">\n<table>\n<thead><tr><th scope=\"col\">class of cases</th><th scope=\"col\">"
         "how it went</th><th scope=\"col\" class=\"n\">points</th><th scope=\"col\" class=\"n\">of</th></tr>"
         "</thead>\n<tbody>\n";
-    for (const auto& one : result.classes)
+    for (const auto& one : result.criteria)
     {
         const bool full = isFull(one), told = !one.hidden || reader == Reader::instructor;
         const std::string how = told

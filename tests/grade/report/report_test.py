@@ -197,7 +197,7 @@ CONTRAST = """
     if (![...e.childNodes].some((n) => n.nodeType === 3 && n.textContent.trim()) || !e.getClientRects().length) continue;
     ++seen;
     const a = light(rgb(getComputedStyle(e).color)), b = light(behind(e)), ratio = (Math.max(a, b) + .05) / (Math.min(a, b) + .05);
-    if (ratio < 4.5) low.push(`${e.tagName}.${e.className} "${e.textContent.slice(0, 20)}" ${ratio.toFixed(2)}`);
+    if (ratio < 4.5) low.push(`${e.tagName}.${e.criterionName} "${e.textContent.slice(0, 20)}" ${ratio.toFixed(2)}`);
   }
   if (seen < 3) low.push('there is no text');
   return [...new Set(low)].slice(0, 5);"""

@@ -49,7 +49,7 @@ OrderedJson texts(const std::vector<std::string>& all)
     return array;
 }
 
-OrderedJson exact(const ClassResult& one)
+OrderedJson exact(const CriterionResult& one)
 {
     OrderedJson json{{"exercise", kept(one.exercise)},
                      {"name", kept(one.name)},
@@ -92,7 +92,7 @@ OrderedJson exact(const SubmissionResult& result)
                      {"sandbox", kept(result.sandbox)},
                      {"seconds", finite(result.seconds, "seconds")},
                      {"compile_seconds", finite(result.compileSeconds, "compile seconds")}};
-    for (const auto& one : result.classes) json["classes"].push_back(exact(one));
+    for (const auto& one : result.criteria) json["classes"].push_back(exact(one));
     return json;
 }
 
@@ -108,13 +108,13 @@ const char* visibility(HiddenTests hidden)
     return hidden == HiddenTests::visible ? "visible" : hidden == HiddenTests::never ? "hidden" : "after_published";
 }
 
-OrderedJson test(const ClassResult& one, HiddenTests hidden)
+OrderedJson test(const CriterionResult& one, HiddenTests hidden)
 {
-    return {{"name", className(one)},
+    return {{"name", criterionName(one)},
             {"score", rounded(one.points)},
             {"max_score", rounded(one.most)},
             {"status", isFull(one) ? "passed" : "failed"},
-            {"output", joined(classFeedback(one))},
+            {"output", joined(criterionFeedback(one))},
             {"output_format", "text"},
             {"visibility", one.hidden ? visibility(hidden) : "visible"}};
 }
@@ -122,7 +122,7 @@ OrderedJson test(const ClassResult& one, HiddenTests hidden)
 OrderedJson tests(const SubmissionResult& result, HiddenTests hidden)
 {
     OrderedJson array = OrderedJson::array();
-    for (const auto& one : result.classes) array.push_back(test(one, hidden));
+    for (const auto& one : result.criteria) array.push_back(test(one, hidden));
     if (result.state == State::graded) return array;
     std::vector<std::string> lines = {stateSentence(result)};
     for (const auto& error : result.compilerErrors) lines.push_back(cleanText(error));
@@ -136,18 +136,18 @@ OrderedJson tests(const SubmissionResult& result, HiddenTests hidden)
     return array;
 }
 
-/// Gradescope shows `output`, and may show a `score` given here, at once; it must not tell how hidden classes went before these
+/// Gradescope shows `output`, and may show a `score` given here, at once; it must not tell how hidden criteria went before these
 /// are shown themselves. Without a `score` it adds up the tests, those that a student may see by then.
 bool tellsTheSum(const SubmissionResult& result, HiddenTests hidden)
 {
     return hidden == HiddenTests::visible ||
-           std::none_of(result.classes.begin(), result.classes.end(), [](const auto& one) { return one.hidden; });
+           std::none_of(result.criteria.begin(), result.criteria.end(), [](const auto& one) { return one.hidden; });
 }
 
 std::string publicSentence(const SubmissionResult& result)
 {
     SubmissionResult shown;
-    std::copy_if(result.classes.begin(), result.classes.end(), std::back_inserter(shown.classes),
+    std::copy_if(result.criteria.begin(), result.criteria.end(), std::back_inserter(shown.criteria),
                  [](const auto& one) { return !one.hidden; });
     return fmt::format("Graded: {} of {} points for the public cases; hidden cases have {} more.",
                        pointsText(shown.points()), pointsText(shown.most()), pointsText(result.most() - shown.most()));

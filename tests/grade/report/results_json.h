@@ -1,4 +1,4 @@
-// results.json: what Gradescope reads, and in it all that reads a result back: to resume, to merge, for reports of a class.
+// results.json: what Gradescope reads, and in it all that reads a result back: to resume, to merge, for reports of a criterion.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 namespace rt::grade
 {
 
-/// When Gradescope shows students the classes of hidden cases (of which there is a name, points and a likely mistake).
+/// When Gradescope shows students the criteria of hidden cases (of which there is a name, points and a likely mistake).
 enum class HiddenTests
 {
     visible,
@@ -16,7 +16,7 @@ enum class HiddenTests
     never           ///< Gradescope then does not show the sum either
 };
 
-/// The file's text, in ASCII. `score` (only where no class is hidden from the student for now), `tests` and `output` are for the
+/// The file's text, in ASCII. `score` (only where no criterion is hidden from the student for now), `tests` and `output` are for the
 /// student and rounded; `extra_data` is exact, for
 /// programs and instructors, and alone has what the student's program printed. Pictures are left out. Foreign text is
 /// repaired, of everything but the student's name the first 4 KiB are kept. A field that is not finite where a number

@@ -18,7 +18,7 @@ namespace
 using Json = nlohmann::json;
 
 /// All that the file keeps of a class; pixels are not.
-auto facts(const ClassResult& one)
+auto facts(const CriterionResult& one)
 {
     const auto example = one.example.value_or(Example{});
     const auto shots = one.pictures.value_or(PictureTriple{});
@@ -35,8 +35,8 @@ void expectSame(const SubmissionResult& a, const SubmissionResult& b)
                         r.studentText, r.sandbox, r.seconds, r.compileSeconds);
     };
     RC_ASSERT(all(a) == all(b));
-    RC_ASSERT(a.classes.size() == b.classes.size());
-    for (std::size_t i = 0; i < a.classes.size(); ++i) RC_ASSERT(facts(a.classes[i]) == facts(b.classes[i]));
+    RC_ASSERT(a.criteria.size() == b.criteria.size());
+    for (std::size_t i = 0; i < a.criteria.size(); ++i) RC_ASSERT(facts(a.criteria[i]) == facts(b.criteria[i]));
 }
 
 /// Well-formed, with the characters that formats stumble over.
@@ -72,8 +72,8 @@ SubmissionResult anyResult()
     result.sandbox = *text();
     result.seconds = *amount();
     result.compileSeconds = *amount();
-    result.classes.resize(*rc::gen::inRange<std::size_t>(0, 4));
-    for (auto& one : result.classes)
+    result.criteria.resize(*rc::gen::inRange<std::size_t>(0, 4));
+    for (auto& one : result.criteria)
     {
         one.exercise = *text();
         one.name = *text();
@@ -148,8 +148,8 @@ TEST(ResultsJson, SaysWhatGradescopeReads)
 TEST(ResultsJson, SaysOfHiddenCasesOnlyTheNameThePointsAndTheMistake)
 {
     auto result = samples::partial("ada");
-    result.classes[3].example = Example{"secret input", "secret expected", "secret got", {}};
-    result.classes[3].pictures = samples::pictures();
+    result.criteria[3].example = Example{"secret input", "secret expected", "secret got", {}};
+    result.criteria[3].pictures = samples::pictures();
     const auto text = resultsJson(result);
     EXPECT_EQ(text.find("secret"), std::string::npos);
     const auto hidden = Json::parse(text)["tests"][3];
@@ -159,10 +159,10 @@ TEST(ResultsJson, SaysOfHiddenCasesOnlyTheNameThePointsAndTheMistake)
     EXPECT_EQ(Json::parse(resultsJson(result, HiddenTests::visible))["tests"][3]["visibility"], "visible");
 }
 
-TEST(ResultsJson, TellsNoSumThatHoldsHiddenClassesBeforeTheseAreShown)
+TEST(ResultsJson, TellsNoSumThatHoldsHiddenCriteriaBeforeTheseAreShown)
 {
     auto all = samples::partial("ada"), none = all;
-    for (auto& one : none.classes)
+    for (auto& one : none.criteria)
         if (one.hidden) one.points = 0;
     ASSERT_NE(all.points(), none.points());
     const auto seen = [](const SubmissionResult& result, HiddenTests hidden) {
@@ -177,7 +177,7 @@ TEST(ResultsJson, TellsNoSumThatHoldsHiddenClassesBeforeTheseAreShown)
     for (const auto hidden : {HiddenTests::afterPublished, HiddenTests::never})
         EXPECT_EQ(seen(all, hidden), seen(none, hidden));
     EXPECT_EQ(seen(all, HiddenTests::visible)["score"], all.points());
-    std::erase_if(all.classes, [](const auto& one) { return one.hidden; });
+    std::erase_if(all.criteria, [](const auto& one) { return one.hidden; });
     EXPECT_EQ(seen(all, HiddenTests::afterPublished)["score"], all.points());
 }
 
@@ -202,7 +202,7 @@ TEST(ResultsJson, SaysWhyNothingWasGraded)
 TEST(ResultsJson, RefusesPointsThatAreNotFinite)
 {
     auto result = samples::partial("ada");
-    result.classes[0].points = std::numeric_limits<double>::quiet_NaN();
+    result.criteria[0].points = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THROW(resultsJson(result), std::runtime_error);
 }
 
@@ -223,15 +223,15 @@ TEST(ResultFromJson, SaysWhatIsWrongInOneSentence)
     EXPECT_EQ(refusal([](Json& j) { j["state"] = "good"; }),
               at + ".state: it is \"good\", expected one of \"graded\", \"missing\", \"refused\", \"not compiled\"");
     EXPECT_EQ(refusal([](Json& j) { j["classes"][1]["points"] = 1.3; }),
-              at + ".classes[1].points: it is 1.3, expected at most 1.2");
+              at + ".criteria[1].points: it is 1.3, expected at most 1.2");
     EXPECT_EQ(refusal([](Json& j) { j["classes"][1]["points"] = nullptr; }),
-              at + ".classes[1].points: it is null, expected a number that is not negative");
+              at + ".criteria[1].points: it is null, expected a number that is not negative");
     EXPECT_EQ(refusal([](Json& j) { j["classes"][0]["passed"] = 41; }),
-              at + ".classes[0].passed: it is 41, expected a whole number from 0 to 40");
+              at + ".criteria[0].passed: it is 41, expected a whole number from 0 to 40");
     EXPECT_EQ(refusal([](Json& j) {
                   j["classes"][3]["example"] = {{"what", ""}, {"expected", ""}, {"got", ""}};
               }),
-              at + ".classes[3].hidden: its cases are hidden, and one is shown, expected no example and no pictures");
+              at + ".criteria[3].hidden: its cases are hidden, and one is shown, expected no example and no pictures");
     EXPECT_EQ(refusal([](Json& j) { j = Json::array(); }), at + ": it is [], expected an object");
     EXPECT_THROW(resultFromJson("{"), std::runtime_error);
     EXPECT_THROW(resultFromJson("{}"), std::runtime_error);

@@ -145,9 +145,9 @@ PictureTriple picturesFrom(Fields fields)
     return pictures;
 }
 
-ClassResult classFrom(Fields fields)
+CriterionResult criterionFrom(Fields fields)
 {
-    ClassResult one;
+    CriterionResult one;
     one.exercise = fields.text("exercise");
     one.name = fields.text("name");
     one.hidden = fields.truth("hidden");
@@ -181,8 +181,8 @@ SubmissionResult resultFrom(Fields fields)
     result.reason = fields.text("reason");
     result.compilerErrors = fields.texts("compiler_errors");
     for (const auto& one : fields.array("classes"))
-        result.classes.push_back(
-            classFrom({one, fmt::format("{}[{}]", fields.field("classes"), result.classes.size())}));
+        result.criteria.push_back(
+            criterionFrom({one, fmt::format("{}[{}]", fields.field("classes"), result.criteria.size())}));
     result.remarks = fields.texts("remarks");
     result.studentText = fields.text("student_text");
     result.sandbox = fields.text("sandbox");

@@ -66,26 +66,26 @@ inline SubmissionResult partial(const std::string& student)
     result.studentText = "debug: n1 = 1.5\n";
     result.remarks = {"glm::reflect is used: the exercise is to write it."};
 
-    ClassResult into{"06-fresnel", "into glass", false, 40, 40, 1.2, 1.2, Outcome::passed, {}, {}, ""};
-    ClassResult out{"06-fresnel", "out of glass", false, 40, 12, 0, 1.2, Outcome::wrong, {}, {}, ""};
+    CriterionResult into{"06-fresnel", "into glass", false, 40, 40, 1.2, 1.2, Outcome::passed, {}, {}, ""};
+    CriterionResult out{"06-fresnel", "out of glass", false, 40, 12, 0, 1.2, Outcome::wrong, {}, {}, ""};
     out.example = Example{"D = (0.6, -0.8, 0), N = (0, 1, 0), n1 = 1.5, n2 = 1", "Fr = 0.0625", "Fr = 0.0204", {}};
     out.mistake = "n1 and n2 are swapped";
     out.pictures = pictures();
-    ClassResult grazing{"06-fresnel", "grazing", false, 40, 3, 0, 0.6, Outcome::crashed, {}, {}, ""};
+    CriterionResult grazing{"06-fresnel", "grazing", false, 40, 3, 0, 0.6, Outcome::crashed, {}, {}, ""};
     grazing.example = Example{"D = (1, -0.0001, 0)", "Fr = 0.9994", "the program ended: segmentation fault", 12.3456};
-    ClassResult secret{"06-fresnel", "out of glass",         true, 93, 30, 0, 2.8, Outcome::wrong, {},
-                       {},           "n1 and n2 are swapped"};
-    ClassResult schlick{"06-schlick", "all angles", false, 60, 60, 1.3, 1.3, Outcome::passed, {}, {}, ""};
-    ClassResult schlickSecret{"06-schlick", "all angles", true, 140, 140, 3.5, 3.5, Outcome::passed, {}, {}, ""};
-    ClassResult scene{"06-scene", "glass and mirror", false, 800, 0, 0, 0.4, Outcome::notAttempted, {}, {}, ""};
-    result.classes = {into, out, grazing, secret, schlick, schlickSecret, scene};
+    CriterionResult secret{"06-fresnel", "out of glass",         true, 93, 30, 0, 2.8, Outcome::wrong, {},
+                           {},           "n1 and n2 are swapped"};
+    CriterionResult schlick{"06-schlick", "all angles", false, 60, 60, 1.3, 1.3, Outcome::passed, {}, {}, ""};
+    CriterionResult schlickSecret{"06-schlick", "all angles", true, 140, 140, 3.5, 3.5, Outcome::passed, {}, {}, ""};
+    CriterionResult scene{"06-scene", "glass and mirror", false, 800, 0, 0, 0.4, Outcome::notAttempted, {}, {}, ""};
+    result.criteria = {into, out, grazing, secret, schlick, schlickSecret, scene};
     return result;
 }
 
 inline SubmissionResult full(const std::string& student)
 {
     auto result = partial(student);
-    for (auto& one : result.classes)
+    for (auto& one : result.criteria)
     {
         one.passed = one.cases;
         one.points = one.most;
@@ -102,7 +102,7 @@ inline SubmissionResult full(const std::string& student)
 inline SubmissionResult notCompiled(const std::string& student)
 {
     auto result = full(student);
-    result.classes.clear();
+    result.criteria.clear();
     result.state = State::notCompiled;
     result.reason = "the compiler refuses it";
     result.compilerErrors = {
@@ -115,7 +115,7 @@ inline SubmissionResult notCompiled(const std::string& student)
 inline SubmissionResult missing(const std::string& student)
 {
     auto result = full(student);
-    result.classes.clear();
+    result.criteria.clear();
     result.state = State::missing;
     result.reason = "there is no exercise.h for lesson 06";
     result.sandbox = "";
@@ -127,7 +127,7 @@ inline SubmissionResult hostile()
 {
     auto result = partial(hostileText());
     const std::string text = hostileText(), longLine(1 << 20, 'x');
-    for (auto& one : result.classes)
+    for (auto& one : result.criteria)
     {
         one.exercise += text;
         one.name = text;
@@ -147,7 +147,7 @@ inline SubmissionResult hostileNotCompiled()
     auto result = hostile();
     result.student = "=cmd|' /C calc'!A0";
     result.state = State::notCompiled;
-    result.classes.clear();
+    result.criteria.clear();
     return result;
 }
 

@@ -14,7 +14,7 @@ std::vector<ClassStatistics> classStatistics(std::span<const SubmissionResult> r
     std::map<std::tuple<std::string, std::string, bool>, std::size_t> places;
     std::vector<ClassStatistics> all;
     for (const auto& result : results)
-        for (const auto& one : result.classes)
+        for (const auto& one : result.criteria)
         {
             const auto [place, isNew] = places.try_emplace({one.exercise, one.name, one.hidden}, all.size());
             if (isNew) all.push_back({one.exercise, one.name, one.hidden, 0, 0, 0, {}});
@@ -37,7 +37,7 @@ std::vector<Mistake> commonMistakes(std::span<const SubmissionResult> results)
     for (const auto& result : results)
     {
         std::set<std::pair<std::string, std::string>> own;
-        for (const auto& one : result.classes)
+        for (const auto& one : result.criteria)
             if (!one.mistake.empty()) own.insert({one.exercise, one.mistake});
         for (const auto& mistake : own) ++counts[mistake];
     }
@@ -62,7 +62,7 @@ std::vector<std::string> exercisesOf(std::span<const SubmissionResult> results)
     std::vector<std::string> all;
     std::set<std::string> known;
     for (const auto& result : results)
-        for (const auto& one : result.classes)
+        for (const auto& one : result.criteria)
             if (known.insert(one.exercise).second) all.push_back(one.exercise);
     return all;
 }

@@ -44,7 +44,7 @@ TEST(CommonMistakes, CountAStudentOnce)
 TEST(Histogram, HasFullMarksInTheLastBinAndExactTenthsInTheirOwn)
 {
     std::vector<SubmissionResult> results = {samples::full("a"), samples::missing("b"), samples::full("c")};
-    auto& third = results[2].classes;
+    auto& third = results[2].criteria;
     third.resize(2);
     third[0].points = 0.7;
     third[1].points = 0.1; // together eight tenths, which the sum of the two doubles is just below

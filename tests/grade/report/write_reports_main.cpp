@@ -19,7 +19,7 @@ void writeAll(const std::string& out, const std::vector<SubmissionResult>& resul
 }
 
 /// Students who did more or less, each in an own way.
-std::vector<SubmissionResult> sampleClass()
+std::vector<SubmissionResult> sampleCriterion()
 {
     std::vector<SubmissionResult> results = {samples::partial("ada"), samples::full("Søren Łukasz-Ó Conchúir"),
                                              samples::notCompiled("charles"), samples::missing("grace")};
@@ -27,10 +27,10 @@ std::vector<SubmissionResult> sampleClass()
     for (std::size_t i = 0; i < std::size(names); ++i)
     {
         auto result = samples::partial(names[i]);
-        for (std::size_t k = 0; k < result.classes.size(); ++k)
+        for (std::size_t k = 0; k < result.criteria.size(); ++k)
             if ((i * 5 + k * 3) % 7 < i)
             {
-                auto& one = result.classes[k];
+                auto& one = result.criteria[k];
                 one.passed = one.cases;
                 one.points = one.most;
                 one.outcome = Outcome::passed;
@@ -60,7 +60,7 @@ int run(int argc, char** argv)
         return exitBadInput;
     }
     const std::string out = argv[1];
-    grade::writeAll(out + "/class", grade::sampleClass());
+    grade::writeAll(out + "/class", grade::sampleCriterion());
     grade::writeAll(out + "/hostile", {grade::samples::hostile(), grade::samples::hostileNotCompiled()});
     grade::writeAll(out + "/empty", {});
     return exitDone;

@@ -1,4 +1,4 @@
-// One class of questions put to one candidate.
+// One criterion of questions put to one candidate.
 #pragma once
 
 #include "tests/grade/questions/mistakes.h"
@@ -7,10 +7,10 @@
 namespace rt::grade
 {
 
-struct ClassRun
+struct CriterionRun
 {
     int cases = 0, passed = 0;
-    double credit = 0; ///< share of the class's points, in [0, 1]
+    double credit = 0; ///< share of the criterion's points, in [0, 1]
     Outcome outcome = Outcome::passed;
     bool notAttempted = false;
     std::optional<Example> example; ///< the first failing case
@@ -22,13 +22,13 @@ struct ClassRun
 };
 
 /// Catches all that a candidate's functions throw. `stop` may be null. `strict`: one death is enough to give up.
-ClassRun runClass(const AskedClass& asked, const Candidate& candidate, const std::atomic<bool>* stop,
-                  bool strict = false);
+CriterionRun runCriterion(const AskedCriterion& asked, const Candidate& candidate, const std::atomic<bool>* stop,
+                          bool strict = false);
 
-/// Of a class that was not asked at all.
-ClassRun notAsked(const AskedClass& asked);
+/// Of a criterion that was not asked at all.
+CriterionRun notAsked(const AskedCriterion& asked);
 
 /// The comparison for the student's eyes, at the counted pixel that is most wrong; asks the candidate for its ray tree there.
-PictureTriple compareFor(const AskedClass& asked, const Image& got, const Candidate& candidate, int lesson);
+PictureTriple compareFor(const AskedCriterion& asked, const Image& got, const Candidate& candidate, int lesson);
 
 } // namespace rt::grade

@@ -1,4 +1,4 @@
-#include "tests/grade/questions/run_class.h"
+#include "tests/grade/questions/run_criterion.h"
 
 #include "common/base/todo.h"
 #include "common/tree/tree_diff.h"
@@ -10,12 +10,12 @@ namespace rt::grade
 namespace
 {
 
-constexpr double enough = 0.95; // of the cases of a class
+constexpr double enough = 0.95; // of the cases of a criterion
 
 /// Runs one question and notes how it ended.
 struct Runner
 {
-    ClassRun& run;
+    CriterionRun& run;
     bool strict = false;
     int answered = 0;
 
@@ -51,7 +51,7 @@ struct Runner
             run.outOfTime |= died.outcome == Outcome::timedOut || died.outcome == Outcome::notRun;
             run.gaveUp = isLost();
             const auto rest =
-                run.gaveUp && answered < run.cases ? "; the class was lost then, the rest was not asked" : "";
+                run.gaveUp && answered < run.cases ? "; its points were lost then, the rest was not asked" : "";
             failed(key, name(died.outcome), {what, "an answer", std::string(died.what()) + rest, {}});
             worse(died.outcome);
         }
@@ -83,7 +83,8 @@ void runOwn(Runner& runner, const std::vector<Case>& cases, const Subject& subje
     }
 }
 
-void runQuestions(Runner& runner, const AskedClass& asked, const Candidate& candidate, const std::atomic<bool>* stop)
+void runQuestions(Runner& runner, const AskedCriterion& asked, const Candidate& candidate,
+                  const std::atomic<bool>* stop)
 {
     for (std::size_t i = 0; i < asked.questions.size(); ++i)
     {
@@ -105,13 +106,13 @@ void runQuestions(Runner& runner, const AskedClass& asked, const Candidate& cand
     }
 }
 
-int casesOf(const AskedClass& asked)
+int casesOf(const AskedCriterion& asked)
 {
     return asked.picture ? asked.picture->pixels
                          : int(asked.own.size() + asked.ownGeometry.size() + asked.questions.size());
 }
 
-void runPicture(Runner& runner, const AskedClass& asked, const Candidate& candidate)
+void runPicture(Runner& runner, const AskedCriterion& asked, const Candidate& candidate)
 {
     const auto& question = *asked.picture;
     auto& run = runner.run;
@@ -150,10 +151,11 @@ void runPicture(Runner& runner, const AskedClass& asked, const Candidate& candid
 
 } // namespace
 
-ClassRun runClass(const AskedClass& asked, const Candidate& candidate, const std::atomic<bool>* stop, bool strict)
+CriterionRun runCriterion(const AskedCriterion& asked, const Candidate& candidate, const std::atomic<bool>* stop,
+                          bool strict)
 {
     if (stop && *stop) throw Interrupted();
-    ClassRun run;
+    CriterionRun run;
     Runner runner{run, strict};
     if (asked.picture)
         runPicture(runner, asked, candidate);
@@ -170,16 +172,16 @@ ClassRun runClass(const AskedClass& asked, const Candidate& candidate, const std
     return run;
 }
 
-ClassRun notAsked(const AskedClass& asked)
+CriterionRun notAsked(const AskedCriterion& asked)
 {
-    ClassRun run;
+    CriterionRun run;
     run.cases = casesOf(asked);
     run.outcome = Outcome::notRun;
     run.outOfTime = run.gaveUp = true;
     return run;
 }
 
-PictureTriple compareFor(const AskedClass& asked, const Image& got, const Candidate& candidate, int lesson)
+PictureTriple compareFor(const AskedCriterion& asked, const Image& got, const Candidate& candidate, int lesson)
 {
     const auto& [scene, expected, counts, pixels] = *asked.picture;
     PictureTriple triple{asked.name, expected, got, Image(got.width, got.height), 0, 0, "", "", sceneToToml(scene)};
