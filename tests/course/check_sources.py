@@ -212,7 +212,34 @@ def check_folders():
         problems.append(f"{top} is committed: expected {', '.join(texts.FOLDERS)} and the files in tests/course/texts.py only")
 
 
-for check in (check_folders, check_mains, check_no_seconds, check_arrows, check_small_steps, check_no_epsilon, check_lessons_are_complete, check_cases_belong_to_exercises):
+def types_of(text):
+    """(namespace, name) of the types that a file defines for the whole program: not those within {} of others, nor unnamed ones."""
+    spaces, found = [], []
+    for line in text.splitlines():
+        if opened := re.match(r"(?:inline )?namespace ?([\w:]*)", line):
+            spaces.append(opened[1] or "(unnamed)")
+        elif line.startswith("} // namespace"):
+            spaces.pop()
+        elif defined := re.match(r"(?:struct|class|enum(?: class)?|union) (?:alignas\(\w+\) )?(\w+)(?! ?;)(?: final)?(?: : .*)?$", line):
+            if "(unnamed)" not in spaces:
+                found.append(("::".join(spaces), defined[1]))
+    return found
+
+
+def check_one_name_one_type():
+    """Two types of one name would be one to the linker, which takes any of the two destructors: it saw class runs of schools and of
+    questions. Programs of their own, as students' and widgets', may say the same name."""
+    places = {}
+    for folder in ("common", "lessons", "viz", "tests"):
+        for path in sources(folder):
+            for name in types_of(path.read_text()):
+                places.setdefault(name, set()).add(str(path.relative_to(ROOT)))
+    for (space, name), where in sorted(places.items()):
+        if len(where) > 1:
+            problems.append(f"{space}::{name} is defined in {', '.join(sorted(where))}: expected one type of that name")
+
+
+for check in (check_one_name_one_type, check_folders, check_mains, check_no_seconds, check_arrows, check_small_steps, check_no_epsilon, check_lessons_are_complete, check_cases_belong_to_exercises):
     check()
 for problem in problems:
     print(problem, file=sys.stderr)
