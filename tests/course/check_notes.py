@@ -205,7 +205,7 @@ def known_words():
 
 def known_options():
     files = [ROOT / "raytree"] + [p for folder in ("common", "lessons", "viz") for p in (ROOT / folder).rglob("*.cpp")]
-    files += (ROOT / "tests/grade").rglob("*_main.cpp")  # programs, unlike the tests beside them
+    files += [*(ROOT / "tests/grade").rglob("*_main.cpp"), *(ROOT / "tests/learn").glob("*_main.cpp")]  # programs, unlike the tests beside them
     files += (ROOT / "tests/perf").glob("*.py")
     return {option for file in files for option in re.findall(r"--[a-z][a-z0-9-]*", file.read_text())}
 
