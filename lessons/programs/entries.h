@@ -1,41 +1,19 @@
-// The entry of each lesson; each is defined in the lesson's own entry.cpp.
+// The entry of each lesson: lesson01::entry and so on. Each is defined in a file of its own, made of entry.cpp.in.
 #pragma once
+
+#include "lessons/list.h"
 
 namespace rt
 {
 
 struct LessonEntry;
 
-namespace lesson01
-{
-extern const LessonEntry entry;
-}
-namespace lesson02
-{
-extern const LessonEntry entry;
-}
-namespace lesson03
-{
-extern const LessonEntry entry;
-}
-namespace lesson04
-{
-extern const LessonEntry entry;
-}
-namespace lesson05
-{
-extern const LessonEntry entry;
-}
-namespace lesson06
-{
-extern const LessonEntry entry;
-}
-namespace lesson07
-{
-extern const LessonEntry entry;
-}
-namespace lesson08
-{
-extern const LessonEntry entry;
-}
+#define RAYTREE_ENTRY(number, NN)                                                                                      \
+    namespace lesson##NN                                                                                               \
+    {                                                                                                                  \
+        extern const LessonEntry entry;                                                                                \
+    }
+RAYTREE_FOR_EACH_LESSON(RAYTREE_ENTRY)
+#undef RAYTREE_ENTRY
+
 } // namespace rt

@@ -7,9 +7,9 @@ namespace rt
 
 std::span<const LessonEntry* const> lessons()
 {
-    static constexpr const LessonEntry* all[] = {&lesson01::entry, &lesson02::entry, &lesson03::entry,
-                                                 &lesson04::entry, &lesson05::entry, &lesson06::entry,
-                                                 &lesson07::entry, &lesson08::entry};
+#define RAYTREE_ENTRY(number, NN) &lesson##NN::entry,
+    static constexpr const LessonEntry* all[] = {RAYTREE_FOR_EACH_LESSON(RAYTREE_ENTRY)};
+#undef RAYTREE_ENTRY
     return all;
 }
 

@@ -17,9 +17,10 @@ class SiteError(Exception):
 class Lesson:
     number: str  # "06"
     title: str   # "Fresnel"
-    idea: str    # Markdown, from the project's README
+    idea: str    # Markdown
     slides: str
     folder: pathlib.Path
+    scene: str | None = None # its first, if it has a tracer
 
     @property
     def notes(self):
@@ -55,10 +56,10 @@ class Lesson:
 
 @functools.cache
 def lessons():
-    """In order, from the table in the project's README; tests hold it to the folders."""
-    row = r"^\| \[(\d\d) ([^]]+)\]\((lessons/[^)]+)/README\.md\) \| (.*?) \| (.*?) \| `"
-    found = re.findall(row, (ROOT / "README.md").read_text(), re.M)
-    return [Lesson(number, title[0].upper() + title[1:], idea, slides, ROOT / folder) for number, title, folder, idea, slides in found]
+    """In order, as lessons/*/lesson.toml describe them."""
+    found = [(path.parent, tomllib.loads(path.read_text())) for path in sorted(ROOT.glob("lessons/[0-9][0-9]_*/lesson.toml"))]
+    return [Lesson(folder.name[:2], facts["title"][0].upper() + facts["title"][1:], facts["idea"], facts["slides"], folder,
+                   facts.get("scene")) for folder, facts in found]
 
 
 def lesson(number):
@@ -70,10 +71,8 @@ def lesson(number):
 
 def first_scene(wanted):
     """The scene that a lesson's program takes by default."""
-    facts = (ROOT / "lessons/programs/facts.cpp").read_text()
-    named = re.search(rf'"(lessons/{wanted.folder.name}/scenes/\w+\.toml)"', facts)
-    if named:
-        return ROOT / named[1]
+    if wanted.scene:
+        return wanted.folder / "scenes" / wanted.scene
     if not wanted.scenes:
         raise SiteError(f"lesson {wanted.number} has no scene")
     return wanted.scenes[0]

@@ -84,6 +84,7 @@ class Elsewhere:
     """The program for another machine, compiled, and its scenes beside it."""
 
     def __init__(self, name, native, folder, flags):
+        made = pathlib.Path(native).resolve().parents[1] / "made" # by lessons/lessons.cmake
         machine = MACHINES[name]()
         glm = find_glm()
         if not (machine["compiler"] and machine["runs"] and glm):
@@ -97,7 +98,7 @@ class Elsewhere:
             link.symlink_to(glm)
         run([native, "--scenes", self.folder / "scenes"])
         cache = find("ccache")
-        run([*[cache] * bool(cache), machine["compiler"], "-std=c++20", *flags, *machine["compile"], "-DRAYTREE_HEADERS_ONLY", "-I", ROOT,
+        run([*[cache] * bool(cache), machine["compiler"], "-std=c++20", *flags, *machine["compile"], "-DRAYTREE_HEADERS_ONLY", "-I", ROOT, "-I", made,
              "-isystem", self.folder / "include", "-c", HERE / "elsewhere.cpp", "-o", self.folder / "elsewhere.o"])
         run([machine["compiler"], *machine["link"], self.folder / "elsewhere.o", "-o", self.folder / machine["program"]])
         if name == "wasm":

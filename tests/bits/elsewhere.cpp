@@ -6,14 +6,8 @@
 #include "common/program/guarded_main.h"
 #include "common/scene/pixel.h"
 #include "common/tree/tree_recorder.h"
-#include "lessons/01_direct_illumination/trace.h"
-#include "lessons/02_mirrors/trace.h"
-#include "lessons/03_partial_reflection/trace.h"
-#include "lessons/04_hdr_sky/trace.h"
-#include "lessons/05_refraction/trace.h"
-#include "lessons/06_fresnel/trace.h"
-#include "lessons/07_recursion_caps/trace.h"
-#include "lessons/08_phong/trace.h"
+#include "lessons/list.h"
+#include "lessons/traces.h"
 #include "tests/bits/compared.h"
 
 namespace
@@ -46,24 +40,13 @@ bits::Traced trace(const bits::Shipped& shipped, int lesson, Real)
     using Recorder = TreeRecorder<Real>;
     switch (lesson)
     {
-    case 1:
-        return traceWith<lesson01::Tracer<Real, Recorder>, Real>(shipped, lesson);
-    case 2:
-        return traceWith<lesson02::Tracer<Real, Recorder>, Real>(shipped, lesson);
-    case 3:
-        return traceWith<lesson03::Tracer<Real, Recorder>, Real>(shipped, lesson);
-    case 4:
-        return traceWith<lesson04::Tracer<Real, Recorder>, Real>(shipped, lesson);
-    case 5:
-        return traceWith<lesson05::Tracer<Real, Recorder>, Real>(shipped, lesson);
-    case 6:
-        return traceWith<lesson06::Tracer<Real, Recorder>, Real>(shipped, lesson);
-    case 7:
-        return traceWith<lesson07::Tracer<Real, Recorder>, Real>(shipped, lesson);
-    case 8:
-        return traceWith<lesson08::Tracer<Real, Recorder>, Real>(shipped, lesson);
+#define RAYTREE_CASE(number, NN)                                                                                       \
+    case number:                                                                                                       \
+        return traceWith<lesson##NN::Tracer<Real, Recorder>, Real>(shipped, lesson);
+        RAYTREE_FOR_EACH_LESSON(RAYTREE_CASE)
+#undef RAYTREE_CASE
     default:
-        std::cerr << "lesson " << lesson << " is missing in tests/bits/elsewhere.cpp\n";
+        std::cerr << "there is no lesson " << lesson << '\n';
         std::exit(2);
     }
 }

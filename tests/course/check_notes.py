@@ -3,9 +3,11 @@
 lesson its page, every erratum its test, and commands name words, lessons, options and scenes that exist."""
 import difflib
 import pathlib
+import json
 import re
 import shlex
 import sys
+import tomllib
 
 import texts as project
 
@@ -156,8 +158,18 @@ def check_lessons():
             problems.append(f"{name(lesson)}/README.md is missing")
         if not (NOTES / page).is_file():
             problems.append(f"slides-notes/{page} is missing")
-        if not re.search(rf"^\| \[[^]]*\]\({name(lesson)}/README\.md\) \|", front, re.M):
-            problems.append(f"README.md has no row for {name(lesson)}")
+        description = lesson / "lesson.toml"
+        if not description.is_file():
+            problems.append(f"{name(description)} is missing")
+            continue
+        facts = tomllib.loads(description.read_text())
+        keys = ["title", "idea", "slides"] + ["scene", "brings"] * ("brings" in facts)
+        if list(facts) != keys or any(f"\n{key} = {json.dumps(facts[key], ensure_ascii=False)}\n" not in "\n" + description.read_text() for key in keys):
+            problems.append(f"{name(description)}: expected the keys {', '.join(keys)}, each on a line of its own, with strings in \"\"")
+            continue
+        row = f"| [{lesson.name[:2]} {facts['title']}]({name(lesson)}/README.md) | {facts['idea']} | {facts['slides']} | `./raytree lesson {int(lesson.name[:2])}`"
+        if row not in front:
+            problems.append(f"README.md has no row {row}")
         if not re.search(rf"^\|.*\]\({re.escape(page)}\)", slides, re.M):
             problems.append(f"slides-notes/README.md has no row for slides-notes/{page}")
 

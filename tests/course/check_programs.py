@@ -156,9 +156,9 @@ class Programs(ProgramTest):
         self.assertGreater(tree["nodes"][0]["radiance"][0], 99)
 
     def test_every_lesson_renders_its_scenes(self):
-        for entry in sorted(ROOT.glob("lessons/*/entry.cpp")):
-            for scene in sorted(entry.parent.glob("scenes/*.toml")):
-                self.run_program(f"lesson{entry.parent.name[:2]}", scene, "--size", "16x12", "--out", "p.png")
+        for folder in [path.parent for path in sorted(ROOT.glob("lessons/*/lesson.toml")) if "brings" in path.read_text()]:
+            for scene in sorted(folder.glob("scenes/*.toml")):
+                self.run_program(f"lesson{folder.name[:2]}", scene, "--size", "16x12", "--out", "p.png")
 
     def test_lesson_09_makes_a_pair(self):
         self.run_program("lesson09", "--limitation", "shadows", "--spp", "4", "--size", "64x48", "--out", "p.ppm")

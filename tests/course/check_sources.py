@@ -90,7 +90,7 @@ def check_small_steps():
     tracing = [lesson for lesson in LESSONS if (lesson / "trace.h").exists()]
     for after in tracing[1:]:
         # Lesson 10 is a study with a tracer of its own, without an entry: none builds on it.
-        before = [one for one in tracing if one < after and (one / "entry.cpp").exists()][-1]
+        before = [one for one in tracing if one < after and "brings" in (one / "lesson.toml").read_text()][-1]
         a, b = plain(before), plain(after)
         changed = [line for line in difflib.ndiff(a.splitlines(), b.splitlines()) if line[0] in "+-" and line[2:].strip()]
         if len(changed) > 40:
@@ -134,7 +134,8 @@ def check_no_epsilon():
 def check_lessons_are_complete():
     for lesson in LESSONS:
         scenes = source(lesson).name != "geometry.h"
-        for name in ("README.md", source(lesson).name, "main.cpp") + ("scenes",) * scenes:
+        made = "brings" in (lesson / "lesson.toml").read_text()  # its main, too
+        for name in ("README.md", source(lesson).name) + ("main.cpp",) * (not made) + ("scenes",) * scenes:
             if not (lesson / name).exists():
                 problems.append(f"{lesson.name}/{name} is missing")
         if scenes and len(list(lesson.glob("scenes/*.toml"))) < 2:

@@ -8,23 +8,10 @@
 
 #include "common/program/program.h"
 #include "lessons/00_geometry/exercise.h"
-#include "lessons/01_direct_illumination/exercise.h"
-#include "lessons/02_mirrors/exercise.h"
-#include "lessons/03_partial_reflection/exercise.h"
-#include "lessons/04_hdr_sky/exercise.h"
-#include "lessons/05_refraction/exercise.h"
-#include "lessons/06_fresnel/exercise.h"
-#include "lessons/07_recursion_caps/exercise.h"
-#include "lessons/08_phong/exercise.h"
+#include "lessons/exercises.h"
+#include "lessons/list.h"
+#include "lessons/solved.h"
 #include "solved00.h"
-#include "solved01.h"
-#include "solved02.h"
-#include "solved03.h"
-#include "solved04.h"
-#include "solved05.h"
-#include "solved06.h"
-#include "solved07.h"
-#include "solved08.h"
 #include "tests/cases/run_cases.h"
 #include "tests/grade/questions/manifest.h"
 
@@ -52,16 +39,10 @@ struct Exercise
     Candidate (*untouched)();
 };
 
-const std::map<int, Exercise> exercises{
-    {0, {geometry<solved00::Geometry>, geometry<exercise00::Geometry>}},
-    {1, {tracer<solved01::Tracer>, tracer<exercise01::Tracer>}},
-    {2, {tracer<solved02::Tracer>, tracer<exercise02::Tracer>}},
-    {3, {tracer<solved03::Tracer>, tracer<exercise03::Tracer>}},
-    {4, {tracer<solved04::Tracer>, tracer<exercise04::Tracer>}},
-    {5, {tracer<solved05::Tracer>, tracer<exercise05::Tracer>}},
-    {6, {tracer<solved06::Tracer>, tracer<exercise06::Tracer>}},
-    {7, {tracer<solved07::Tracer>, tracer<exercise07::Tracer>}},
-    {8, {tracer<solved08::Tracer>, tracer<exercise08::Tracer>}},
+const std::map<int, Exercise> exercises{{0, {geometry<solved00::Geometry>, geometry<exercise00::Geometry>}},
+#define RAYTREE_ROW(number, NN) {number, {tracer<solved##NN::Tracer>, tracer<exercise##NN::Tracer>}},
+                                        RAYTREE_FOR_EACH_LESSON(RAYTREE_ROW)
+#undef RAYTREE_ROW
 };
 
 // The other tests go through exerciseLessons(): what it leaves out, they would leave out in silence.

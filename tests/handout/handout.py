@@ -28,7 +28,7 @@ import make_exercises  # noqa: E402
 
 # What is taken as it is, apart from marks. Nothing else is: a new file stays inside until it is named here.
 COMMON = ["common/*.h", "common/*/*.h", "common/*/*.cpp", "common/*/*.json", "common/CMakeLists.txt", "common/SCENES.md"]
-PROGRAMS = ["lessons/programs/exercise_main.*", "lessons/programs/facts.*", "lessons/programs/program.*", "lessons/programs/program_main.h"]
+PROGRAMS = ["lessons/lessons.cmake", "lessons/*/lesson.toml", "lessons/programs/exercise.cpp.in", "lessons/programs/exercise_main.*", "lessons/programs/facts.*", "lessons/programs/program.*", "lessons/programs/program_main.h"]
 GEOMETRY = ["functions.h", "figures/*", "program.cpp", "tutorial.cpp", "tutorial.h"]
 CASES = ["check.h", "run_cases.h", "subject.h", "scenes.h", "cases.h", "lesson00_subject.h", "lesson00_cases.*"]
 ENGINE = ["tests/grade/result.*", "tests/grade/candidate.h", "tests/grade/box/*", "tests/grade/wire/*",
@@ -134,9 +134,9 @@ class Handout:
         trace = folder / ("geometry.h" if lesson == 0 else "trace.h")
         # Made anew: the working copy may have been solved.
         self.add(name / "exercise.h", make_exercises.exercise(trace, self.entries, False))
-        self.copy(f"{name}/exercise.cpp", f"{name}/scenes/*")
+        self.copy(f"{name}/scenes/*")
         if lesson == 0:
-            self.copy(*[f"{name}/{pattern}" for pattern in GEOMETRY])
+            self.copy(f"{name}/exercise.cpp", *[f"{name}/{pattern}" for pattern in GEOMETRY])
         self.add(name / "README.md", self.text(source(name / "README.md")))
 
     def cases(self):

@@ -3,14 +3,8 @@
 
 #include <map>
 
-#include "lessons/01_direct_illumination/exercise.h"
-#include "lessons/02_mirrors/exercise.h"
-#include "lessons/03_partial_reflection/exercise.h"
-#include "lessons/04_hdr_sky/exercise.h"
-#include "lessons/05_refraction/exercise.h"
-#include "lessons/06_fresnel/exercise.h"
-#include "lessons/07_recursion_caps/exercise.h"
-#include "lessons/08_phong/exercise.h"
+#include "lessons/exercises.h"
+#include "lessons/list.h"
 #include "tests/cases/run_cases.h"
 
 namespace rt::cases
@@ -43,14 +37,9 @@ void expectNotAttempted(const Subject& subject, int lesson)
 
 TEST(Exercises, AreNotAttemptedBeforeTheyAreWritten)
 {
-    expectNotAttempted(exerciseSubject<exercise01::Tracer>(), 1);
-    expectNotAttempted(exerciseSubject<exercise02::Tracer>(), 2);
-    expectNotAttempted(exerciseSubject<exercise03::Tracer>(), 3);
-    expectNotAttempted(exerciseSubject<exercise04::Tracer>(), 4);
-    expectNotAttempted(exerciseSubject<exercise05::Tracer>(), 5);
-    expectNotAttempted(exerciseSubject<exercise06::Tracer>(), 6);
-    expectNotAttempted(exerciseSubject<exercise07::Tracer>(), 7);
-    expectNotAttempted(exerciseSubject<exercise08::Tracer>(), 8);
+#define RAYTREE_EXPECT(number, NN) expectNotAttempted(exerciseSubject<exercise##NN::Tracer>(), number);
+    RAYTREE_FOR_EACH_LESSON(RAYTREE_EXPECT)
+#undef RAYTREE_EXPECT
 }
 
 TEST(Exercises, HaveMagentaPixels)

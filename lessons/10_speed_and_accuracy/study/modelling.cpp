@@ -5,15 +5,9 @@
 #include <filesystem>
 
 #include "common/program/program.h"
-#include "lessons/01_direct_illumination/trace.h"
-#include "lessons/02_mirrors/trace.h"
-#include "lessons/03_partial_reflection/trace.h"
-#include "lessons/04_hdr_sky/trace.h"
-#include "lessons/05_refraction/trace.h"
-#include "lessons/06_fresnel/trace.h"
-#include "lessons/07_recursion_caps/trace.h"
-#include "lessons/08_phong/trace.h"
+#include "lessons/list.h"
 #include "lessons/programs/registry.h"
+#include "lessons/traces.h"
 
 namespace rt::lesson10
 {
@@ -86,11 +80,11 @@ std::vector<std::string> shippedScenes()
 
 std::size_t stackALevel(int lesson, const SceneDescription& scene)
 {
-    using Measure = std::size_t (*)(const SceneDescription&);
-    static constexpr Measure measures[] = {
-        stackOf<lesson01::Tracer>, stackOf<lesson02::Tracer>, stackOf<lesson03::Tracer>, stackOf<lesson04::Tracer>,
-        stackOf<lesson05::Tracer>, stackOf<lesson06::Tracer>, stackOf<lesson07::Tracer>, stackOf<lesson08::Tracer>};
-    return measures[lesson - 1](scene);
+#define RAYTREE_MEASURE(number, NN)                                                                                    \
+    if (lesson == number) return stackOf<lesson##NN::Tracer>(scene);
+    RAYTREE_FOR_EACH_LESSON(RAYTREE_MEASURE)
+#undef RAYTREE_MEASURE
+    throw std::out_of_range("no such lesson");
 }
 
 std::optional<ModelledScene> model(const SceneDescription& scene, bool ladder, int rounds, double seconds,

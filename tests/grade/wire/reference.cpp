@@ -2,14 +2,8 @@
 #include <fmt/format.h>
 
 #include "lessons/00_geometry/geometry.h"
-#include "lessons/01_direct_illumination/trace.h"
-#include "lessons/02_mirrors/trace.h"
-#include "lessons/03_partial_reflection/trace.h"
-#include "lessons/04_hdr_sky/trace.h"
-#include "lessons/05_refraction/trace.h"
-#include "lessons/06_fresnel/trace.h"
-#include "lessons/07_recursion_caps/trace.h"
-#include "lessons/08_phong/trace.h"
+#include "lessons/list.h"
+#include "lessons/traces.h"
 #include "tests/grade/candidate.h"
 
 namespace rt::grade
@@ -25,43 +19,27 @@ cases::Subject inDouble()
 }
 
 // GCC 12 does not take a constrained template for an unconstrained parameter, hence the aliases.
-template <class R, class Rec>
-using Tracer1 = lesson01::Tracer<R, Rec>;
-template <class R, class Rec>
-using Tracer2 = lesson02::Tracer<R, Rec>;
-template <class R, class Rec>
-using Tracer3 = lesson03::Tracer<R, Rec>;
-template <class R, class Rec>
-using Tracer4 = lesson04::Tracer<R, Rec>;
-template <class R, class Rec>
-using Tracer5 = lesson05::Tracer<R, Rec>;
-template <class R, class Rec>
-using Tracer6 = lesson06::Tracer<R, Rec>;
-template <class R, class Rec>
-using Tracer7 = lesson07::Tracer<R, Rec>;
-template <class R, class Rec>
-using Tracer8 = lesson08::Tracer<R, Rec>;
+#define RAYTREE_ALIAS(number, NN)                                                                                      \
+    template <class R, class Rec>                                                                                      \
+    using Tracer##NN = lesson##NN::Tracer<R, Rec>;
+RAYTREE_FOR_EACH_LESSON(RAYTREE_ALIAS)
+#undef RAYTREE_ALIAS
 
 } // namespace
 
 Candidate reference(int lesson)
 {
-    using Make = cases::Subject (*)();
-    static constexpr std::pair<int, Make> tracers[] = {
-        {1, inDouble<Tracer1>}, {2, inDouble<Tracer2>}, {3, inDouble<Tracer3>}, {4, inDouble<Tracer4>},
-        {5, inDouble<Tracer5>}, {6, inDouble<Tracer6>}, {7, inDouble<Tracer7>}, {8, inDouble<Tracer8>}};
     Candidate candidate;
     if (lesson == 0)
     {
         candidate.geometry = cases::geometrySubject<lesson00::Geometry<double>>();
         return candidate;
     }
-    for (const auto& [number, make] : tracers)
-        if (number == lesson)
-        {
-            candidate.tracer = make();
-            return candidate;
-        }
+#define RAYTREE_CASE(number, NN)                                                                                       \
+    if (lesson == number) candidate.tracer = inDouble<Tracer##NN>();
+    RAYTREE_FOR_EACH_LESSON(RAYTREE_CASE)
+#undef RAYTREE_CASE
+    if (candidate.tracer.color) return candidate;
     throw std::invalid_argument(fmt::format("lesson {} has no exercises", lesson));
 }
 

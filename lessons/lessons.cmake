@@ -1,0 +1,67 @@
+# What names all lessons is made here, from lessons/*/lesson.toml: title, idea and slides; of a lesson with a tracer also its
+# scene, and which features it `brings`. It models those of the lessons before it too.
+#
+# Sets raytree_lesson_folders, those of lessons with a tracer. Writes into raytree_made/lessons:
+#   list.h                     RAYTREE_FOR_EACH_LESSON(visit): visit(1, 01) visit(2, 02) ...
+#   traces.h, exercises.h, solved.h   all of these headers
+#   facts_table.h              the rows of lessonFacts()
+#   NN_name/*.cpp              entry, main and exercise, from the templates in programs/
+# Read by regular expressions, since CMake has no TOML: a key and its value stand on one line. check_lessons.py compares.
+set(raytree_made ${PROJECT_BINARY_DIR}/made)
+
+function(raytree_lesson_value text key out)
+  string(REGEX MATCH "(^|\n)${key} = \"([^\n]*)\"" ignored "${text}")
+  if(NOT ignored)
+    message(FATAL_ERROR "${folder}/lesson.toml: there is no line ${key} = \"...\"")
+  endif()
+  set(${out} "${CMAKE_MATCH_2}" PARENT_SCOPE)
+endfunction()
+
+file(GLOB descriptions CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/lessons/[0-9][0-9]_*/lesson.toml)
+set(raytree_lesson_folders "")
+set(visits "")
+set(models "")
+set(facts "")
+foreach(header traces exercises solved)
+  set(${header} "// Made by lessons/lessons.cmake.\n#pragma once\n\n")
+endforeach()
+foreach(description ${descriptions})
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${description})
+  file(READ ${description} text)
+  if(NOT text MATCHES "(^|\n)brings = \\[([^\n]*)\\]")
+    continue()
+  endif()
+  string(REGEX REPLACE "\"([a-z]+)\"" "Feature::\\1" brings "${CMAKE_MATCH_2}")
+  get_filename_component(folder ${description} DIRECTORY)
+  get_filename_component(folder ${folder} NAME)
+  string(SUBSTRING ${folder} 0 2 NN)
+  string(REGEX REPLACE "^0" "" N ${NN})
+  list(APPEND raytree_lesson_folders ${folder})
+  raytree_lesson_value("${text}" title title)
+  raytree_lesson_value("${text}" slides slides)
+  raytree_lesson_value("${text}" scene scene)
+  if(models)
+    string(APPEND models ", ")
+  endif()
+  string(APPEND models "${brings}")
+  string(APPEND visits " visit(${N}, ${NN})")
+  string(APPEND facts "{.number = ${N}, .slug = \"${folder}\", .title = \"${title}\",\n .slides = \"${slides}\",\n"
+         " .source = \"lessons/${folder}/trace.h\", .scene = \"lessons/${folder}/scenes/${scene}\",\n .models = {${models}}},\n")
+  string(APPEND traces "#include \"lessons/${folder}/trace.h\"\n")
+  if(EXISTS ${PROJECT_SOURCE_DIR}/lessons/${folder}/exercise.h)
+    string(APPEND exercises "#include \"lessons/${folder}/exercise.h\"\n")
+    string(APPEND solved "#include \"solved${NN}.h\"\n")
+  endif()
+  foreach(template entry main exercise)
+    if(EXISTS ${PROJECT_SOURCE_DIR}/lessons/programs/${template}.cpp.in)
+      configure_file(${PROJECT_SOURCE_DIR}/lessons/programs/${template}.cpp.in ${raytree_made}/lessons/${folder}/${template}.cpp @ONLY)
+    endif()
+  endforeach()
+endforeach()
+set(list "// Made by lessons/lessons.cmake.\n#pragma once\n\n"
+         "/// Calls visit(number, NN) for each lesson that has a tracer.\n#define RAYTREE_FOR_EACH_LESSON(visit)${visits}\n")
+string(JOIN "" list ${list})
+set(facts_table "// Made by lessons/lessons.cmake.\n${facts}")
+foreach(header list facts_table traces exercises solved)
+  file(CONFIGURE OUTPUT ${raytree_made}/lessons/${header}.h CONTENT "${${header}}" @ONLY)
+endforeach()
