@@ -55,7 +55,7 @@ def table(title, schema, definitions, level=2):
 def reference(schema):
     definitions = schema["$defs"]
     parts = [f"# {schema['title']}", schema["description"],
-             "The schema itself: [ray_tree.schema.json](../common/tree/ray_tree.schema.json). Every lesson writes such a tree with `--tree json`, "
+             "The schema itself: [ray_tree.schema.json](ray_tree.schema.json). Every lesson writes such a tree with `--tree json`, "
              "and `./raytree view tree.json` shows one, whoever wrote it.",
              table("Top level", schema, definitions)]
     parts += [table(name[0].upper() + name[1:], value, definitions) for name, value in definitions.items() if "properties" in value]

@@ -49,7 +49,7 @@ class Code(unittest.TestCase):
 
     def test_in_a_table_long_names_break_between_their_parts(self):
         self.assertEqual(typography.code("RayTree::nodesOf", in_table=True), "Ray<wbr>Tree<wbr>::nodes<wbr>Of")
-        self.assertEqual(typography.code("common/tree/ray_tree.h", in_table=True, is_link=True), "common/<wbr>ray_<wbr>tree.h")
+        self.assertEqual(typography.code("common/tree/ray_tree.h", in_table=True, is_link=True), "common/<wbr>tree/<wbr>ray_<wbr>tree.h")
 
     def test_a_link_to_a_file_breaks_at_its_folders(self):
         self.assertEqual(typography.code("lessons/06_fresnel/trace.h", is_link=True), "lessons/<wbr>06_fresnel/<wbr>trace.h")

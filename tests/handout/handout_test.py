@@ -165,7 +165,7 @@ class Writing(Temporary):
         ours = self.folder / "ours"
         self.assertEqual(pack(ours, "--lessons", "0-2").returncode, 0)
         self.assertEqual(pack(ours, "--lessons", "0-1").returncode, 0)
-        self.assertFalse((ours / "lessons/02_mirrors").exists())
+        self.assertFalse((ours / "lessons/02_mirrors/exercise.h").exists())
         exercise = ours / "lessons/01_direct_illumination/exercise.h"
         exercise.write_text(exercise.read_text() + "// my idea\n")
         result = pack(ours)

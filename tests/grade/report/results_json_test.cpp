@@ -36,7 +36,7 @@ void expectSame(const SubmissionResult& a, const SubmissionResult& b)
     };
     RC_ASSERT(all(a) == all(b));
     RC_ASSERT(a.criteria.size() == b.criteria.size());
-    for (std::size_t i = 0; i < a.criteria.size(); ++i) RC_ASSERT(facts(a.criteria[i]) == facts(b.criteria[i]));
+    for (std::size_t i = 0; i < a.criteria.size(); ++i) RC_ASSERT(facts(a.classes[i]) == facts(b.criteria[i]));
 }
 
 /// Well-formed, with the characters that formats stumble over.
@@ -148,8 +148,8 @@ TEST(ResultsJson, SaysWhatGradescopeReads)
 TEST(ResultsJson, SaysOfHiddenCasesOnlyTheNameThePointsAndTheMistake)
 {
     auto result = samples::partial("ada");
-    result.criteria[3].example = Example{"secret input", "secret expected", "secret got", {}};
-    result.criteria[3].pictures = samples::pictures();
+    result.classes[3].example = Example{"secret input", "secret expected", "secret got", {}};
+    result.classes[3].pictures = samples::pictures();
     const auto text = resultsJson(result);
     EXPECT_EQ(text.find("secret"), std::string::npos);
     const auto hidden = Json::parse(text)["tests"][3];
@@ -202,7 +202,7 @@ TEST(ResultsJson, SaysWhyNothingWasGraded)
 TEST(ResultsJson, RefusesPointsThatAreNotFinite)
 {
     auto result = samples::partial("ada");
-    result.criteria[0].points = std::numeric_limits<double>::quiet_NaN();
+    result.classes[0].points = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THROW(resultsJson(result), std::runtime_error);
 }
 
@@ -223,15 +223,15 @@ TEST(ResultFromJson, SaysWhatIsWrongInOneSentence)
     EXPECT_EQ(refusal([](Json& j) { j["state"] = "good"; }),
               at + ".state: it is \"good\", expected one of \"graded\", \"missing\", \"refused\", \"not compiled\"");
     EXPECT_EQ(refusal([](Json& j) { j["classes"][1]["points"] = 1.3; }),
-              at + ".criteria[1].points: it is 1.3, expected at most 1.2");
+              at + ".classes[1].points: it is 1.3, expected at most 1.2");
     EXPECT_EQ(refusal([](Json& j) { j["classes"][1]["points"] = nullptr; }),
-              at + ".criteria[1].points: it is null, expected a number that is not negative");
+              at + ".classes[1].points: it is null, expected a number that is not negative");
     EXPECT_EQ(refusal([](Json& j) { j["classes"][0]["passed"] = 41; }),
-              at + ".criteria[0].passed: it is 41, expected a whole number from 0 to 40");
+              at + ".classes[0].passed: it is 41, expected a whole number from 0 to 40");
     EXPECT_EQ(refusal([](Json& j) {
                   j["classes"][3]["example"] = {{"what", ""}, {"expected", ""}, {"got", ""}};
               }),
-              at + ".criteria[3].hidden: its cases are hidden, and one is shown, expected no example and no pictures");
+              at + ".classes[3].hidden: its cases are hidden, and one is shown, expected no example and no pictures");
     EXPECT_EQ(refusal([](Json& j) { j = Json::array(); }), at + ": it is [], expected an object");
     EXPECT_THROW(resultFromJson("{"), std::runtime_error);
     EXPECT_THROW(resultFromJson("{}"), std::runtime_error);
