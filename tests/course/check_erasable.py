@@ -18,13 +18,16 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
-def machine_code(compiler, header, folder, number):
+# Lesson 10's Tracer is also given its world: here the scene, which starts rays at the points themselves.
+WORLD = ("template <class Real> struct World : rt::Scene<Real> { static constexpr bool wrongAngle = false; static const auto& leave(const auto& I, const auto&) "
+         "{ return I; } static Real schlickWithIncidentAngle(Real, Real, Real) { return 0; } };\n")
+
+
+def machine_code(compiler, headers, folder):
+    """Function -> its instructions, of all lessons: in one unit, so that the scene is compiled once and not for each of them."""
+    tracers = "".join(f"template struct rt::lesson{number}::Tracer<double{', World<double>' * (number == '10')}>;\n" for number in headers)
     unit = folder / "unit.cpp"
-    # Lesson 10's Tracer is also given its world: here the scene, which starts rays at the points themselves.
-    world = "struct World : rt::Scene<Real> { static constexpr bool wrongAngle = false; static const auto& leave(const auto& I, const auto&) { return I; } static Real schlickWithIncidentAngle(Real, Real, Real) { return 0; } };"
-    head = f"template <class Real> {world}\n" if number == "10" else ""
-    unit.write_text(f'#include "{header}"\n{head}extern template class rt::Scene<double>;\n'
-                    f"template struct rt::lesson{number}::Tracer<double{', World<double>' if head else ''}>;\n")
+    unit.write_text("".join(f'#include "{header}"\n' for header in headers.values()) + WORLD + "extern template class rt::Scene<double>;\n" + tracers)
     subprocess.run([compiler, "-std=c++20", "-O2", "-DRAYTREE_HEADERS_ONLY", "-ffp-contract=off", f"-I{ROOT}", "-c", str(unit), "-o", str(folder / "unit.o")], check=True)
     listing = subprocess.run(["objdump", "-d", "--no-show-raw-insn", str(folder / "unit.o")], check=True, capture_output=True, text=True).stdout
     functions = {}
@@ -36,18 +39,24 @@ def machine_code(compiler, header, folder, number):
 problems = 0
 with tempfile.TemporaryDirectory() as name:
     folder = pathlib.Path(name)
+    plain, erased = {}, {}
     for trace in sorted(ROOT.glob("lessons/[0-9][0-9]_*/trace.h")):
-        number = trace.parent.name[:2]
-        text = trace.read_text()
-        if f"lesson{number}" not in text:
-            continue
+        number, text = trace.parent.name[:2], trace.read_text()
         for line in text.splitlines():
             if "rec." in line and not re.fullmatch(r" *rec\.\w+\(.*\);(?: //.*)?", line):
                 print(f"{trace}: not a whole statement: {line.strip()}", file=sys.stderr)
                 problems += 1
-        erased = folder / "erased.h"
-        erased.write_text(re.sub(r"^ *rec\..*\n", "", text, flags=re.M))
-        same = machine_code(sys.argv[1], trace, folder, number) == machine_code(sys.argv[1], erased, folder, number)
-        print(f"lesson {number}: {'same instructions' if same else 'DIFFERENT instructions'} without recorder calls")
+        plain[number], erased[number] = trace, folder / f"erased{number}.h"
+        erased[number].write_text(re.sub(r"^ *rec\..*\n", "", text, flags=re.M))
+    ours, without = machine_code(sys.argv[1], plain, folder), machine_code(sys.argv[1], erased, folder)
+    for number in plain:
+        functions = [function for function in ours.keys() | without.keys() if f"lesson{number}" in function]
+        different = sorted(function for function in functions if ours.get(function) != without.get(function))
+        same = functions and not different
+        print(f"lesson {number}: {'same instructions' if same else 'DIFFERENT instructions'} without recorder calls in {len(functions)} functions {' '.join(different)}")
         problems += not same
+    others = [function for function in ours.keys() | without.keys() if ours.get(function) != without.get(function) and "lesson" not in function]
+    if others:
+        print(f"different without recorder calls: {' '.join(sorted(others))}", file=sys.stderr)
+        problems += 1
 sys.exit(bool(problems))

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Packs the course for students: exercises as shipped, scenes, notes, public cases; no solutions. See ../grade/DESIGN.md.
+"""Packs the course for students: exercises as shipped, scenes, notes, public cases; no solutions.
 
     handout.py [--out DIR] [--lessons 0-8] [--mistakes DIR]
 
