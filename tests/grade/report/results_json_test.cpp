@@ -36,7 +36,7 @@ void expectSame(const SubmissionResult& a, const SubmissionResult& b)
     };
     RC_ASSERT(all(a) == all(b));
     RC_ASSERT(a.criteria.size() == b.criteria.size());
-    for (std::size_t i = 0; i < a.criteria.size(); ++i) RC_ASSERT(facts(a.classes[i]) == facts(b.criteria[i]));
+    for (std::size_t i = 0; i < a.criteria.size(); ++i) RC_ASSERT(facts(a.criteria[i]) == facts(b.criteria[i]));
 }
 
 /// Well-formed, with the characters that formats stumble over.
@@ -148,8 +148,8 @@ TEST(ResultsJson, SaysWhatGradescopeReads)
 TEST(ResultsJson, SaysOfHiddenCasesOnlyTheNameThePointsAndTheMistake)
 {
     auto result = samples::partial("ada");
-    result.classes[3].example = Example{"secret input", "secret expected", "secret got", {}};
-    result.classes[3].pictures = samples::pictures();
+    result.criteria[3].example = Example{"secret input", "secret expected", "secret got", {}};
+    result.criteria[3].pictures = samples::pictures();
     const auto text = resultsJson(result);
     EXPECT_EQ(text.find("secret"), std::string::npos);
     const auto hidden = Json::parse(text)["tests"][3];
@@ -202,7 +202,7 @@ TEST(ResultsJson, SaysWhyNothingWasGraded)
 TEST(ResultsJson, RefusesPointsThatAreNotFinite)
 {
     auto result = samples::partial("ada");
-    result.classes[0].points = std::numeric_limits<double>::quiet_NaN();
+    result.criteria[0].points = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THROW(resultsJson(result), std::runtime_error);
 }
 
