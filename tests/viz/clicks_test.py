@@ -9,12 +9,14 @@ Ends with 77 if Xvfb or xdotool is missing.
 import json
 import pathlib
 import random
+import signal
 import subprocess
 import sys
 import tempfile
 import time
 import unittest
 
+import xdesktop
 from xscreen import HEIGHT, PATIENCE, WIDTH, Screen, Viewer, missing, steady, wait_for
 
 PROGRAM = pathlib.Path(sys.argv.pop(1)).resolve()
@@ -336,6 +338,36 @@ class Clicks(unittest.TestCase):
         viewer.keys("bracketleft", "bracketleft")
         wait_for(lambda: self.screen.part(IMAGE) != coarse, "a coarse picture")
         self.assertEqual(viewer.quit()["max_depth"], 6)
+
+    def test_the_window_is_there_before_its_picture_and_can_be_left(self):
+        desktop = xdesktop.Desktop(self.screen)
+        self.addCleanup(desktop.close)
+        for way in ("key", "button", "signal"):
+            viewer = Viewer(self.screen, PROGRAM, self.folder, 6, "--spp", 20000, rests=False)  # would take hours
+            self.addCleanup(viewer.stop)
+            wait_for(lambda: self.screen.pixels_like(TREE, REFLECTED), "the tree")
+            if way == "key":
+                viewer.keys("Home", "Right")
+                state = viewer.quit()
+                self.assertEqual(state["step"], 1)
+                self.assertLess(state["painted"], 1)
+            elif way == "button":
+                found = subprocess.run(["xdotool", "search", "--name", "raytree"], env=self.screen.env, capture_output=True, text=True).stdout
+                desktop.ask_to_close(int(found.split()[0]))
+                self.assertEqual(viewer.process.wait(PATIENCE), 0)
+            else:
+                viewer.process.send_signal(signal.SIGINT)
+                self.assertEqual(viewer.process.wait(PATIENCE), 130)
+            viewer.stop()
+
+    def test_a_heavy_picture_gets_finer_and_is_whole_at_last(self):
+        viewer = Viewer(self.screen, PROGRAM, self.folder, 6, "--spp", 64, rests=False)
+        self.addCleanup(viewer.stop)
+        wait_for(lambda: self.screen.pixels_like(TREE, REFLECTED), "the tree")
+        looks = {self.screen.part(IMAGE)}
+        wait_for(lambda: looks.add(self.screen.part(IMAGE)) or len(looks) > 2, "finer pictures")
+        steady(self.screen, WHOLE)
+        self.assertEqual(viewer.quit()["painted"], 1)
 
     def test_what_a_key_does_does_not_depend_on_where_the_pointer_is(self):
         keys = ["Home", "Right", "Right", "shift+Right", "shift+Right", "shift+Left", "shift+Down", "Home", "Right", "Right", "Down"]

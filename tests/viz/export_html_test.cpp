@@ -13,6 +13,7 @@
 #include "common/tree/events.h"
 #include "lessons/programs/formulas.h"
 #include "lessons/programs/registry.h"
+#include "viz/state/algorithm_line.h"
 
 namespace rt::viz
 {
@@ -116,6 +117,25 @@ TEST(HtmlPage, SaysWhatTheTreeAndItsExplanationSay)
         EXPECT_EQ(data["events"][i][3], events[i].line);
         EXPECT_EQ(data["events"][i][4], describe(sample.tree, events[i]));
     }
+}
+
+TEST(HtmlPage, LightsTheAlgorithmsLinesAndHidesMarksOfExercises)
+{
+    Sample sample;
+    sample.source = listingText(findLesson(6)->source);
+    const auto data = sample.data();
+    const auto listing = listingOf(sample.source);
+    const AlgorithmLines algorithm(listing);
+    const auto textOf = [&](const Json& line) { return listing.lines.at(line.get<std::size_t>() - 1); };
+    const auto events = eventsOf(sample.tree);
+    for (std::size_t i = 0; i < events.size(); ++i)
+    {
+        EXPECT_EQ(data["events"][i][3], algorithm.of(events[i]));
+        EXPECT_EQ(textOf(data["events"][i][3]).find("rec."), std::string::npos);
+    }
+    for (const auto& node : data["nodes"]) EXPECT_NE(textOf(node["line"]).find("scene.intersect("), std::string::npos);
+    ASSERT_FALSE(data["source"]["hidden"].empty());
+    for (const auto& line : data["source"]["hidden"]) EXPECT_TRUE(isExerciseMark(textOf(line))) << textOf(line);
 }
 
 TEST(HtmlPage, HasNullForWhatIsNoNumber)

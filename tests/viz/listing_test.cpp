@@ -209,34 +209,6 @@ TEST(Listing, FindsTheFunctionsThatTraceInEachLesson)
     }
 }
 
-TEST(Listing, ShowsTheWholeFunctionWhereItFits)
-{
-    const auto listing = listingOf(program);
-    const auto shows = [&](int first, int count, int line) { return line >= first && line < first + count; };
-    EXPECT_EQ(firstShown(listing, 13, 9), 8);
-    EXPECT_EQ(firstShown(listing, 13, 5), 10);
-    for (int count = 1; count < 40; ++count)
-        for (int line = 1; line <= int(listing.lines.size()); ++line)
-        {
-            const int first = firstShown(listing, line, count);
-            EXPECT_TRUE(shows(first, count, line)) << line << " in " << count;
-            EXPECT_GE(first, 1);
-            EXPECT_LE(first, std::max(1, int(listing.lines.size()) - count + 1));
-        }
-    for (const int line : {-7, 0, 5000}) EXPECT_GE(firstShown(listing, line, 5), 1);
-}
-
-TEST(Listing, ShowsTheReturnTooWhereItFits)
-{
-    std::string text = "int f()\n{\n";
-    for (int i = 0; i < 60; ++i) text += "    x;\n";
-    const auto listing = listingOf(text + "}\n");
-    const int first = firstShown(listing, 20, 16, 33);
-    EXPECT_LE(first, 19);
-    EXPECT_GE(first + 16, 35);
-    EXPECT_EQ(firstShown(listing, 20, 10, 33), firstShown(listing, 20, 10));
-}
-
 } // namespace
 
 } // namespace rt::viz

@@ -336,6 +336,62 @@ TEST(Refining, LeavingInTheMiddleEndsThePainting)
     EXPECT_EQ(*ended, 2);
 }
 
+/// A window that would wait for it showed nothing for a minute.
+TEST(Refining, TheFirstPictureOfAWindowIsPaintedWhenTheTreeIsThere)
+{
+    const auto released = std::make_shared<std::atomic<bool>>(false);
+    Session session = paintedSession([=](const Image& image, const RenderOptions& options) {
+        options.passed(image, 8);
+        options.progress(0.25);
+        while (!*released && !*options.stop) std::this_thread::sleep_for(1ms);
+        EXPECT_TRUE(*released);
+    });
+    session.paintsLater = true;
+    Controller controller(std::move(session));
+    EXPECT_FALSE(controller.tree().nodes.empty());
+    EXPECT_TRUE(controller.isRefining());
+    EXPECT_EQ(controller.picture().at(3, 3).x, controller.maxDepth()) << "the coarse one";
+    EXPECT_EQ(controller.painted(), 0);
+    std::vector<unsigned> told;
+    controller.changed = [&](unsigned changes) { told.push_back(changes); };
+    while (told.empty()) controller.poll();
+    EXPECT_EQ(told, std::vector<unsigned>{changedShare});
+    EXPECT_EQ(controller.painted(), 0.25);
+    *released = true;
+    controller.wait();
+    EXPECT_FALSE(controller.isRefining());
+    EXPECT_EQ(controller.painted(), 1);
+    EXPECT_EQ(told.back(), unsigned{changedPicture | changedMessage});
+}
+
+TEST(Refining, AFirstPictureIsLeftInTheMiddle)
+{
+    const auto ended = std::make_shared<std::atomic<bool>>(false);
+    {
+        Session session = paintedSession([=](const Image&, const RenderOptions& options) {
+            waitForStop(options);
+            *ended = true;
+        });
+        session.paintsLater = true;
+        session.patience = 1ms;
+        const Controller controller(std::move(session));
+        EXPECT_EQ(controller.picture().width, 0);
+        EXPECT_FALSE(controller.tree().nodes.empty());
+        EXPECT_FALSE(*ended);
+    }
+}
+
+TEST(Refining, AFirstPictureThatFailsIsSaid)
+{
+    Session session = paintedSession([](const Image&, const RenderOptions&) { throw std::runtime_error("no paint"); });
+    session.paintsLater = true;
+    session.patience = 1ms;
+    Controller controller(std::move(session));
+    controller.wait();
+    EXPECT_EQ(controller.message(), "no paint");
+    EXPECT_FALSE(controller.tree().nodes.empty());
+}
+
 } // namespace
 
 } // namespace rt::viz

@@ -22,13 +22,13 @@ Session session(int lesson)
     return chosen;
 }
 
-struct Drawn
+struct DrawnRays
 {
     Controller controller;
     Extent objects;
     RayDrawing all;
 
-    explicit Drawn(Session chosen)
+    explicit DrawnRays(Session chosen)
         : controller(std::move(chosen)), objects(objectExtent(controller.scene())),
           all(drawRays(controller.tree(), controller.scene(), objects))
     {
@@ -45,7 +45,7 @@ struct Drawn
 
 TEST(ShownRays, AreAllOfThemAtFirst)
 {
-    const Drawn drawn(session(6));
+    const DrawnRays drawn(session(6));
     EXPECT_EQ(drawn.shown().segments.size(), drawn.all.segments.size());
     EXPECT_EQ(drawn.shown().blockers.size(), drawn.all.blockers.size());
     EXPECT_EQ(drawn.shown().nodes, drawn.all.nodes);
@@ -53,7 +53,7 @@ TEST(ShownRays, AreAllOfThemAtFirst)
 
 TEST(ShownRays, NothingHasBeenTracedBeforeTheFirstStep)
 {
-    Drawn drawn(session(6));
+    DrawnRays drawn(session(6));
     drawn.controller.stepTo(0);
     EXPECT_TRUE(drawn.shown().segments.empty());
     EXPECT_TRUE(drawn.shown().blockers.empty());
@@ -61,7 +61,7 @@ TEST(ShownRays, NothingHasBeenTracedBeforeTheFirstStep)
 
 TEST(ShownRays, EachStepShowsNoLessThanTheOneBefore)
 {
-    Drawn drawn(session(6));
+    DrawnRays drawn(session(6));
     std::size_t before = 0;
     for (int step = 0; step <= drawn.controller.lastStep(); ++step)
     {
@@ -76,7 +76,7 @@ TEST(ShownRays, EachStepShowsNoLessThanTheOneBefore)
 
 TEST(ShownRays, AKindThatIsHiddenIsNotDrawn)
 {
-    Drawn drawn(session(6));
+    DrawnRays drawn(session(6));
     const std::pair<Kind, RayRole> pairs[] = {{Kind::camera, RayRole::camera},
                                               {Kind::reflected, RayRole::reflected},
                                               {Kind::transmitted, RayRole::transmitted},
@@ -100,7 +100,7 @@ TEST(ShownRays, AKindThatIsHiddenIsNotDrawn)
 
 TEST(ShownRays, WhatIsTooWeakIsHiddenWithItsShadowRays)
 {
-    Drawn drawn(session(6));
+    DrawnRays drawn(session(6));
     drawn.controller.setWeakest(0.5);
     const auto part = drawn.shown();
     EXPECT_LT(part.nodes, drawn.all.nodes);
@@ -113,7 +113,7 @@ TEST(OtherRays, AreNoneWhereTheTreesAgree)
 {
     Session same = session(6);
     same.other = same.source;
-    const Drawn drawn(std::move(same));
+    const DrawnRays drawn(std::move(same));
     EXPECT_TRUE(otherRays(drawn.controller, drawn.objects).empty());
 }
 
@@ -130,7 +130,7 @@ TEST(OtherRays, StandWhereTheOtherTracerWentAnotherWay)
 {
     Session two = session(6);
     two.other = swappedIndices(two.source);
-    const Drawn drawn(std::move(two));
+    const DrawnRays drawn(std::move(two));
     ASSERT_TRUE(drawn.controller.comparison() && drawn.controller.comparison()->first);
     EXPECT_EQ(drawn.controller.comparison()->first->field, "n1");
     const auto rays = otherRays(drawn.controller, drawn.objects);

@@ -128,7 +128,8 @@ def steady(screen, box):
 class Viewer:
     """The viewer on a screen, started in a folder; what it says goes into stderr.txt there."""
 
-    def __init__(self, screen, program, folder, *words):
+    def __init__(self, screen, program, folder, *words, rests=True):
+        """rests: until nothing is at work any more; otherwise until there is a window that shows something."""
         self.screen, self.folder = screen, pathlib.Path(folder)
         self.file = self.folder / "state.json"
         self.file.unlink(missing_ok=True)
@@ -143,7 +144,8 @@ class Viewer:
         try:
             # Before its first frame the window does not listen.
             wait_for(lambda: self.ended() or any(screen.part(middle).replace(b"\0", b"")), "the window's picture")
-            steady(screen, (0, 0, screen.width, screen.height))
+            if rests:
+                steady(screen, (0, 0, screen.width, screen.height))
         except BaseException:
             self.stop()
             raise

@@ -31,8 +31,13 @@ function layCode() {
     return;
   }
   const list = make("ol");
+  const hidden = new Set(DATA.source.hidden);
   DATA.source.text.replace(/\n$/, "").split("\n").forEach((text, i) => {
-    const line = make("li", {}, make("b", { "aria-hidden": "true" }, String(i + 1)), make("span", {}, ...coloured(text)));
+    const words = make("span", {}, ...coloured(text));
+    // What is too long for the pane goes on below, further in.
+    words.style.setProperty("--hang", `${text.search(/\S|$/) + 8}ch`);
+    const line = make("li", {}, make("b", { "aria-hidden": "true" }, String(i + 1)), words);
+    line.hidden = hidden.has(i + 1);
     codeLines.push(line);
     list.append(line);
   });

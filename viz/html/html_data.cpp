@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/tree/events.h"
+#include "viz/state/algorithm_line.h"
 #include "viz/state/energy.h"
 
 namespace rt::viz
@@ -114,7 +115,6 @@ Json nodeJson(const HtmlPage& page, const RayTree::Node& node, FormulaNames* nam
                  {"depth", node.depth},
                  {"weight", shortNumber(largestChannel(node.throughput))},
                  {"end", name(node.end)},
-                 {"line", node.line},
                  {"swatch", hexOf(node.radiance)},
                  {"returned", shortText(node.radiance)},
                  {"added", shortText(node.contribution)},
@@ -151,7 +151,10 @@ Json energyJson(const RayTree& tree)
 class TreeJson
 {
 public:
-    TreeJson(const HtmlPage& described, Json& target) : page(described), tree(page.tree), json(target) {}
+    TreeJson(const HtmlPage& described, const Listing& listing, Json& target)
+        : page(described), tree(page.tree), json(target), algorithm(listing)
+    {
+    }
 
     void write()
     {
@@ -161,7 +164,10 @@ public:
         json["nodes"] = Json::array();
         for (const auto& node : tree.nodes)
             if (isShown(node.id))
+            {
                 json["nodes"].push_back(nodeJson(page, node, explained[std::size_t(node.id)] ? &names : nullptr));
+                json["nodes"].back()["line"] = algorithm.of(node.line, Told::value);
+            }
         json["formulas"] = names.names;
         json["hidden"] = tree.nodes.size() - json["nodes"].size();
         json["unexplained"] =
@@ -175,6 +181,7 @@ private:
     const HtmlPage& page;
     const RayTree& tree;
     Json& json;
+    AlgorithmLines algorithm;
     std::vector<bool> shown;
     std::vector<std::size_t> shadowPlace, cappedPlace;
 
@@ -214,7 +221,7 @@ private:
             if (!isShown(event.node)) continue;
             const auto& places = event.kind == Event::Kind::shadow ? shadowPlace : cappedPlace;
             const Json place = event.index < 0 ? Json(-1) : Json(places[std::size_t(event.index)]);
-            json["events"].push_back({int(event.kind), event.node, place, event.line, describe(tree, event)});
+            json["events"].push_back({int(event.kind), event.node, place, algorithm.of(event), describe(tree, event)});
         }
     }
 };
@@ -274,11 +281,14 @@ Json htmlData(const HtmlPage& page)
                  {"maxDepth", tree.maxDepth},
                  {"size", {page.scene.camera.width, page.scene.camera.height}},
                  {"pixel", tree.pixel ? Json(*tree.pixel) : Json(nullptr)},
-                 {"source", {{"file", tree.source}, {"text", page.sourceText}}},
+                 {"source", {{"file", tree.source}, {"text", page.sourceText}, {"hidden", Json::array()}}},
                  {"energy", energyJson(tree)},
                  {"drawing", drawingJson(drawing)},
                  {"objects", htmlObjects(page.scene, drawing, objects)}};
-    TreeJson(page, json).write();
+    const auto listing = listingOf(page.sourceText);
+    for (std::size_t i = 0; i < listing.lines.size(); ++i)
+        if (isExerciseMark(listing.lines[i])) json["source"]["hidden"].push_back(i + 1);
+    TreeJson(page, listing, json).write();
     return json;
 }
 

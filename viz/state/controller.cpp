@@ -40,10 +40,10 @@ const char* name(Tone tone)
 
 Controller::Controller(Session chosen) : session(std::move(chosen))
 {
-    if (session.source.isSlow)
+    if (session.source.isSlow || session.paintsLater)
     {
         paintPicture();
-        coarse->goOn();
+        if (session.source.isSlow) coarse->goOn();
     }
     else if (session.source.render)
         try
@@ -63,6 +63,7 @@ Controller::Controller(Session chosen) : session(std::move(chosen))
     Trees trees = trace(session, interrupted());
     if (!trees.failure.empty() && trees.mine.nodes.empty() && !trees.tooMany) throw std::runtime_error(trees.failure);
     take(std::move(trees));
+    takePicture(session.patience); // the coarse one, for the window's first drawing
 }
 
 std::optional<std::array<int, 2>> Controller::pixel() const
@@ -327,7 +328,8 @@ void Controller::setMaxDepth(int depth)
 {
     depth = std::clamp(depth, 0, deepestCap);
     if (depth == maxDepth()) return;
-    if (session.source.isFixed) return say(session.source.title + " holds a tree that is traced: its depth stays");
+    if (session.source.isFixed)
+        return say(session.source.title + " holds one tree, traced already: no other depth can be chosen");
     chosenDepth = depth;
     session.scene.trace.maxDepth = depth;
     paintPicture();
@@ -347,9 +349,11 @@ void Controller::paintPicture()
     if (!session.source.render) return;
     // What was painted until now goes on putting its pictures where nobody takes them.
     coarse = std::make_shared<CoarsePictures>();
-    painter.start([asked = session, pictures = coarse](const std::atomic<bool>& stop) {
+    share = std::make_shared<std::atomic<double>>(0);
+    sharesTold = 0;
+    painter.start([asked = session, pictures = coarse, done = share](const std::atomic<bool>& stop) {
         RenderOptions options = asked.render;
-        options.progress = nullptr;
+        options.progress = [done](double now) { *done = now; };
         options.stop = &stop;
         return paintInPasses(asked.source, asked.scene, options, *pictures);
     });
@@ -381,6 +385,12 @@ unsigned Controller::takePicture(std::chrono::milliseconds patience)
 
 bool Controller::poll()
 {
+    coarse->goOn(); // whoever polls has drawn what there was
+    if (const int percent = int(100 * *share); isRefining() && percent > sharesTold)
+    {
+        sharesTold = percent;
+        notify(changedShare);
+    }
     if (const unsigned changes = takePicture(std::chrono::milliseconds(0))) notify(changes);
     if (auto finished = tracer.poll())
     {
@@ -392,6 +402,7 @@ bool Controller::poll()
 
 void Controller::wait()
 {
+    coarse->goOn();
     const auto finish = [this](auto& work) {
         while (!work.waitFor(std::chrono::milliseconds(50)))
             if (interrupted()) work.cancel();

@@ -27,6 +27,7 @@ struct Session
     RenderOptions render;
     Probe probe = std::array<int, 2>{0, 0}; ///< inside the picture
     std::chrono::milliseconds patience{25}; ///< so long another depth waits for its coarse picture
+    bool paintsLater = false;               ///< the first picture, too, is painted in the background, coarse first
 };
 
 /// What an action has changed, as a sum.
@@ -41,7 +42,8 @@ enum Change : unsigned
     changedMessage = 64,
     changedPass = 128, ///< the picture, which is still coarse
     changedAll = 255,
-    changedScene = 256 ///< not among changedAll: the 3D pane is built anew, which takes long
+    changedScene = 256, ///< not among changedAll: the 3D pane is built anew, which takes long
+    changedShare = 512  ///< of the picture that is painted
 };
 
 /// What keys 1 to 5 show or hide.
@@ -77,8 +79,8 @@ struct TreeComparison
 class Controller
 {
 public:
-    /// Renders the picture and traces the tree of the probe. Throws what the source throws; but a slow source is asked in
-    /// the background, and its failures become the message, as do too many rays.
+    /// Renders the picture and traces the tree of the probe. Throws what the source throws; but what is asked in the
+    /// background, as a slow source is, fails with a message, as do too many rays.
     explicit Controller(Session chosen);
 
     const SceneDescription& scene() const { return session.scene; }
@@ -87,6 +89,8 @@ public:
     const Image& picture() const { return image; }
     /// Is the picture another than the final one for what is chosen? Never of a slow source, which says when it is ready.
     bool isRefining() const { return painter.isBusy() && !session.source.isSlow; }
+    /// How much of it is painted, from 0 to 1.
+    double painted() const { return isRefining() ? double(sharesTold) / 100 : 1; }
     const RayTree& tree() const { return rays; }
     /// The chosen pixel; empty if a ray was given instead.
     std::optional<std::array<int, 2>> pixel() const;
@@ -205,7 +209,9 @@ private:
     Look theme = Look::dark;
     std::string said, treeProblem, pictureProblem;
     Tone saidAs = Tone::trouble;
-    std::shared_ptr<CoarsePictures> coarse = std::make_shared<CoarsePictures>(); // of what is painted now
+    std::shared_ptr<CoarsePictures> coarse = std::make_shared<CoarsePictures>();           // of what is painted now
+    std::shared_ptr<std::atomic<double>> share = std::make_shared<std::atomic<double>>(0); // likewise
+    int sharesTold = 0;                                                                    // in percent
     Background<Image> painter;
     Background<Trees> tracer;
 

@@ -240,6 +240,13 @@ std::string listingText(const std::string& source)
     return readSource(source, projectFile("")).text;
 }
 
+std::vector<std::string> codeOf(const Listing& listing)
+{
+    std::vector<std::string> lines;
+    for (const auto& pieces : listing.inked) lines.push_back(code(pieces));
+    return lines;
+}
+
 LineRange functionAround(const Listing& listing, int line)
 {
     struct Block
@@ -287,23 +294,6 @@ LineRange functionAround(const Listing& listing, int line)
         head += ' ';
     }
     return {1, 0};
-}
-
-int firstShown(const Listing& listing, int line, int count, int also)
-{
-    const int all = int(listing.lines.size());
-    const auto clampToText = [&](int first) { return std::clamp(first, 1, std::max(1, all - count + 1)); };
-    const auto function = functionAround(listing, line);
-    const int length = function.last - function.first + 1;
-    if (function.contains(line) && length <= count)
-        return clampToText(function.first - std::min(2, (count - length) / 2));
-    int first = line - count * 2 / 5;
-    if (function.contains(line))
-        first = std::clamp(first, function.first, std::max(function.first, function.last - count + 1));
-    // Both with a line around them.
-    const auto [upper, lower] = std::minmax(line, also);
-    if (also > 0 && lower - upper + 3 <= count) first = std::clamp(first, lower - count + 2, upper - 1);
-    return clampToText(first);
 }
 
 } // namespace rt::viz

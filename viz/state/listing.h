@@ -34,6 +34,12 @@ struct Listing
     std::string missing; ///< why there are no lines; empty: there are
 };
 
+/// Each line without strings and comments, which are blanks: what can hold braces and names.
+std::vector<std::string> codeOf(const Listing& listing);
+
+/// Is it "// SOLUTION ...", "// END" or "// EXERCISE ...": a mark for make_exercises.py, which says nothing to readers?
+bool isExerciseMark(const std::string& line);
+
 /// First and last line, counted from 1.
 struct LineRange
 {
@@ -55,8 +61,21 @@ Listing listingOf(const std::string& text);
 /// The function around a line, its head and its braces included; empty outside of functions.
 LineRange functionAround(const Listing& listing, int line);
 
-/// Which `count` lines to show so that `line` is seen with what is around it in its function, and `also` (0: none) if
-/// there is room for both. Returns the first.
-int firstShown(const Listing& listing, int line, int count, int also = 0);
+/// A row of a pane that shows a listing: a line, or the rest of one that is too long.
+struct CodeRow
+{
+    int line = 0;
+    bool isContinued = false;
+    std::size_t column = 0;             ///< where its text begins
+    std::vector<InkedText> pieces = {}; ///< without the blanks before that
+};
+
+/// All lines but exercises' marks, in rows of so many columns. `indent` columns of blanks are left out where a line has
+/// them. What is too long goes on below, further in.
+std::vector<CodeRow> codeRows(const Listing& listing, std::size_t columns, std::size_t indent = 0);
+
+/// Which `count` rows to show so that the line is seen with what is around it in its function, and `also` (0: none) if
+/// there is room for both. Returns the first one's place.
+int firstShown(const std::vector<CodeRow>& rows, const LineRange& function, int line, int count, int also = 0);
 
 } // namespace rt::viz

@@ -54,6 +54,7 @@ std::string stateJson(const Controller& controller)
         {"pixel", controller.pixel() ? OrderedJson(*controller.pixel()) : OrderedJson(nullptr)},
         {"samples", controller.samples()},
         {"max_depth", controller.maxDepth()},
+        {"painted", controller.painted()},
         {"nodes", tree.nodes.size()},
         {"radiance", tree.nodes.empty() ? OrderedJson(nullptr) : triple(tree.nodes[0].radiance)},
         {"selected", controller.node() ? OrderedJson(controller.selected()) : OrderedJson(nullptr)},

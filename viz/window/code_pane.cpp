@@ -18,6 +18,11 @@ namespace
 
 constexpr double size = 12.5;
 
+TextLook noteLook()
+{
+    return {Font::bold, 11, color::dark}; // of the look that is worn now
+}
+
 Rgba inkColor(Ink ink)
 {
     switch (ink)
@@ -102,7 +107,10 @@ bool CodePane::update(unsigned changes)
 {
     const auto& source = controller.tree().source;
     if ((changes & changedTree) && (source != listing.source || listing.lines.empty()))
+    {
         listing = readListing(source, projectFile(""));
+        algorithm = AlgorithmLines(listing);
+    }
     if (!(changes & (changedTree | changedNode | changedStep))) return changes == changedAll;
     scrolledTo.reset();
     return true;
@@ -110,21 +118,31 @@ bool CodePane::update(unsigned changes)
 
 bool CodePane::wheel(int, int, bool forward)
 {
-    const int last = std::max(1, int(listing.lines.size()) - shownCount + 1);
-    scrolledTo = std::clamp(shownFirst + (forward ? -3 : 3), 1, last);
+    scrolledTo = std::clamp(shownFirst + (forward ? -3 : 3), 0, std::max(0, rowCount - shownCount));
     return *scrolledTo != shownFirst;
 }
 
-int CodePane::litLine() const
+int CodePane::followLine() const
 {
-    if (const auto* event = controller.current()) return event->line;
-    return controller.node() ? controller.node()->line : 0;
+    return controller.node() ? algorithm.of(controller.node()->line, Told::value) : 0;
 }
 
 int CodePane::returnLine() const
 {
     const auto* node = controller.node();
-    return node && controller.hasReturned(node->id) ? node->returnLine : 0;
+    return node && controller.hasReturned(node->id) ? algorithm.of(node->returnLine, Told::end) : 0;
+}
+
+int CodePane::litLine() const
+{
+    const auto* event = controller.current();
+    return event ? algorithm.of(*event) : followLine();
+}
+
+std::pair<int, const char*> CodePane::otherLine() const
+{
+    if (const auto* event = controller.current()) return {algorithm.callOf(controller.tree(), *event), "called here"};
+    return {returnLine(), "returned here"};
 }
 
 void CodePane::paintHeading(Canvas& canvas, double height)
@@ -163,43 +181,62 @@ void CodePane::paintHeading(Canvas& canvas, double height)
     if (controller.step() == 0 && controller.lastStep() > 0)
         said = "before the first step: nothing has been traced";
     else if (node->line > 0 && returnLine() > 0)
-        said =
-            fmt::format("ray [{}] was followed in line {} and returned in line {}", node->id, node->line, returnLine());
+        said = fmt::format("ray [{}] was followed in line {} and returned in line {}", node->id, followLine(),
+                           returnLine());
     else if (node->line > 0)
-        said = fmt::format("ray [{}] was followed in line {}", node->id, node->line);
+        said = fmt::format("ray [{}] was followed in line {}", node->id, followLine());
     canvas.textWithin(pad, second, width - 2 * pad, said, dim);
 }
 
+Event CodePane::notedEvent() const
+{
+    if (const auto* now = controller.current()) return *now;
+    Event event;
+    event.node = controller.node() ? controller.node()->id : -1;
+    return event;
+}
+
+double CodePane::noteWidth(Canvas& canvas) const
+{
+    const auto event = notedEvent();
+    if (event.node < 0) return 0;
+    const double swatch = event.kind == Event::Kind::returns ? canvas.px(17) : 0;
+    return canvas.textWidth(noteOf(controller.tree(), event), noteLook()) + canvas.px(14) + swatch;
+}
+
 /// At the right end of the lit line: what happened there.
-void CodePane::paintNote(Canvas& canvas, double y, double textEnd, double lineHeight)
+void CodePane::paintNote(Canvas& canvas, double y)
 {
     const auto& tree = controller.tree();
-    Event event;
-    if (const auto* now = controller.current())
-        event = *now;
-    else if (const auto* node = controller.node())
-        event.node = node->id;
-    else
-        return;
-    const auto role = roleOf(tree, event);
-    const TextLook look{Font::bold, 11, color::dark};
-    const auto note = noteOf(tree, event);
-    const bool withSwatch = event.kind == Event::Kind::returns;
-    const double swatch = withSwatch ? canvas.px(12) : 0, height = std::min(lineHeight - 1, canvas.px(16));
-    const double width = canvas.textWidth(note, look) + canvas.px(14) + (withSwatch ? swatch + canvas.px(5) : 0);
+    const auto event = notedEvent();
+    if (event.node < 0) return;
+    const double swatch = canvas.px(12), height = canvas.px(15.5), width = noteWidth(canvas);
     const double x = area.width - canvas.px(16) - width;
     if (x < canvas.px(60)) return;
-    if (textEnd > x - canvas.px(10))
-        canvas.fill({x - canvas.px(10), y - lineHeight / 2, area.width - x + canvas.px(10), lineHeight}, color::lit);
-    canvas.roundedBox({x, y - height / 2, width, height}, canvas.px(5), colorOf(role));
+    canvas.roundedBox({x, y - height / 2, width, height}, canvas.px(5), colorOf(roleOf(tree, event)));
     double at = x + canvas.px(7);
-    if (withSwatch)
+    if (event.kind == Event::Kind::returns)
     {
         const auto& c = tree.nodes[std::size_t(event.node)].radiance;
         canvas.fill({at, y - swatch / 2, swatch, swatch}, {toSrgb8(c.x), toSrgb8(c.y), toSrgb8(c.z)});
-        at += swatch + canvas.px(5);
+        at += canvas.px(17);
     }
-    canvas.text(at, y, note, look);
+    canvas.text(at, y, noteOf(tree, event), noteLook());
+}
+
+void CodePane::paintRow(Canvas& canvas, const CodeRow& row, double left, double y, bool isLit)
+{
+    const double character = canvas.monoWidth(size);
+    std::size_t column = row.column;
+    for (const auto& [ink, text] : row.pieces)
+    {
+        // What begins with blanks is moved instead: less to draw.
+        const auto blank = std::min(text.find_first_not_of(' '), text.size());
+        if (blank < text.size())
+            canvas.text(left + character * double(column + blank), y, text.substr(blank),
+                        {Font::mono, size, isLit ? color::text : inkColor(ink)});
+        column += characters(text);
+    }
 }
 
 void CodePane::paintLines(Canvas& canvas, double height)
@@ -207,66 +244,67 @@ void CodePane::paintLines(Canvas& canvas, double height)
     const double lineHeight = std::round(canvas.px(16.5)), pad = canvas.px(14);
     const double character = canvas.monoWidth(size);
     shownCount = std::max(1, int((height - canvas.px(6)) / lineHeight));
-    const int lit = litLine(), returned = controller.current() ? 0 : returnLine();
-    const int all = int(listing.lines.size());
-    shownFirst = scrolledTo ? std::min(*scrolledTo, std::max(1, all - shownCount + 1))
-                            : firstShown(listing, lit, shownCount, returned);
-
-    const double gutter = canvas.px(10) + character * std::max(3.0, std::floor(std::log10(all) + 1));
+    const int lit = litLine(), lines = int(listing.lines.size());
+    const auto [other, otherSays] = otherLine();
+    const double gutter = canvas.px(10) + character * std::max(3.0, std::floor(std::log10(lines) + 1));
     const double left = gutter + pad;
+    const auto columns = std::size_t(std::max(1.0, (area.width - left - canvas.px(12)) / character));
     // The function stands at the left edge, whatever it is a member of.
     const auto function = functionAround(listing, lit);
     std::size_t indent = 0;
     if (function.contains(lit)) indent = listing.lines[std::size_t(function.first) - 1].find_first_not_of(' ');
-    const auto columns = std::size_t(std::max(1.0, (area.width - left - canvas.px(12)) / character));
+    auto rows = codeRows(listing, columns, indent);
+    const auto endOf = [&](const CodeRow& row) {
+        std::size_t end = row.column;
+        for (const auto& piece : row.pieces) end += characters(piece.text);
+        return left + character * double(end);
+    };
+    // What is said of a line never hides it: where it does not fit behind, it gets a row below.
+    const TextLook small{Font::sans, 11, color::textDim};
+    const auto makeRoom = [&](int line, double width) {
+        const auto after = std::find_if(rows.rbegin(), rows.rend(), [&](const auto& row) { return row.line == line; });
+        if (after != rows.rend() && endOf(*after) + canvas.px(10) > area.width - canvas.px(16) - width)
+            rows.insert(after.base(), {.line = line, .isContinued = true});
+    };
+    makeRoom(lit, noteWidth(canvas));
+    if (other != lit) makeRoom(other, canvas.textWidth(otherSays, small));
+
+    const int all = rowCount = int(rows.size());
+    shownFirst = scrolledTo ? std::clamp(*scrolledTo, 0, std::max(0, all - shownCount))
+                            : firstShown(rows, function, lit, shownCount, other);
     const Rgba kind = controller.current() ? colorOf(roleOf(controller.tree(), *controller.current()))
                       : controller.node()  ? colorOf(rayRole(controller.node()->kind))
                                            : color::accent;
-    for (int row = 0; row < shownCount && shownFirst + row <= all; ++row)
+    for (int i = 0; i < shownCount && shownFirst + i < all; ++i)
     {
-        const int number = shownFirst + row;
-        const double y = height - canvas.px(4) - (row + 0.5) * lineHeight;
-        const bool isLit = number == lit;
-        if (isLit || number == returned)
+        const auto at = std::size_t(shownFirst + i);
+        const auto& row = rows[at];
+        const double y = height - canvas.px(4) - (i + 0.5) * lineHeight;
+        const bool isLit = row.line == lit, isLast = at + 1 == rows.size() || rows[at + 1].line != row.line;
+        if (isLit || row.line == other)
         {
             canvas.fill({0, y - lineHeight / 2, double(area.width), lineHeight},
                         isLit ? color::lit : mix(color::panel, color::lit, 0.45));
             canvas.fill({0, y - lineHeight / 2, canvas.px(isLit ? 4 : 2), lineHeight}, kind);
         }
-        const auto label = std::to_string(number);
-        canvas.text(gutter - character * double(label.size()), y, label,
-                    {Font::mono, size, isLit ? color::text : color::textFaint});
-
-        std::size_t column = 0, hidden = indent;
-        for (const auto& [ink, text] : listing.inked[std::size_t(number) - 1])
+        if (!row.isContinued)
         {
-            // What begins with blanks is moved instead: less to draw.
-            const auto blank = std::min(text.find_first_not_of(' '), text.size());
-            auto piece = text.substr(blank);
-            const auto start = column + blank - std::min(hidden, blank), length = characters(piece);
-            hidden -= std::min(hidden, blank);
-            if (length > 0) hidden = 0;
-            column = start + length;
-            if (start >= columns || piece.empty()) continue;
-            piece = shorten(piece, columns - start);
-            canvas.text(left + character * double(start), y, piece,
-                        {Font::mono, size, isLit ? color::text : inkColor(ink)});
+            const auto label = std::to_string(row.line);
+            canvas.text(gutter - character * double(label.size()), y, label,
+                        {Font::mono, size, isLit ? color::text : color::textFaint});
         }
-        const double textEnd = left + character * double(std::min(column, columns));
+        paintRow(canvas, row, left, y, isLit);
+        if (!isLast) continue;
         if (isLit)
-            paintNote(canvas, y, textEnd, lineHeight);
-        else if (number == returned && textEnd + canvas.px(90) < area.width)
-        {
-            const TextLook look{Font::sans, 11, color::textDim};
-            const char* said = "returned here";
-            canvas.text(area.width - canvas.px(16) - canvas.textWidth(said, look), y, said, look);
-        }
+            paintNote(canvas, y);
+        else if (row.line == other)
+            canvas.text(area.width - canvas.px(16) - canvas.textWidth(otherSays, small), y, otherSays, small);
     }
     if (all > shownCount)
     {
-        const double track = height - canvas.px(8), bar = std::max(canvas.px(20), track * shownCount / all);
-        const double top = height - canvas.px(4) - (track - bar) * (shownFirst - 1) / std::max(1, all - shownCount);
-        canvas.roundedBox({area.width - canvas.px(8), top - bar, canvas.px(4), bar}, canvas.px(2),
+        const double track = height - canvas.px(8), thumb = std::max(canvas.px(20), track * shownCount / all);
+        const double top = height - canvas.px(4) - (track - thumb) * shownFirst / std::max(1, all - shownCount);
+        canvas.roundedBox({area.width - canvas.px(8), top - thumb, canvas.px(4), thumb}, canvas.px(2),
                           color::textFaint.withAlpha(0.6));
     }
 }

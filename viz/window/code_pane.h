@@ -1,7 +1,7 @@
 // The lesson's source with the current line lit.
 #pragma once
 
-#include "viz/state/listing.h"
+#include "viz/state/algorithm_line.h"
 #include "viz/window/pane.h"
 
 namespace rt::viz
@@ -16,16 +16,24 @@ public:
 
 private:
     Listing listing;
-    std::optional<int> scrolledTo; ///< the first line, chosen with the wheel; empty: the lit line decides
-    int shownFirst = 1, shownCount = 1;
+    AlgorithmLines algorithm{listing};
+    std::optional<int> scrolledTo; ///< the first row, chosen with the wheel; empty: the lit line decides
+    int shownFirst = 0, shownCount = 1, rowCount = 0;
 
     void paint(Canvas& canvas) override;
     void paintHeading(Canvas& canvas, double height);
     void paintLines(Canvas& canvas, double height);
-    void paintNote(Canvas& canvas, double y, double textEnd, double lineHeight);
-    /// The line where it is now, or where the selected ray was followed; 0: unknown.
+    void paintRow(Canvas& canvas, const CodeRow& row, double left, double y, bool isLit);
+    void paintNote(Canvas& canvas, double y);
+    /// The event that the note tells of, or what stands for it while nobody steps.
+    Event notedEvent() const;
+    double noteWidth(Canvas& canvas) const;
+    /// The algorithm's line where it is now, or where the selected ray was followed; 0: unknown.
     int litLine() const;
-    /// Where the selected ray returned; 0: unknown, or not yet.
+    /// Another line of the same moment, and what it is: where the selected ray returned, or was sent on its way; 0: unknown.
+    std::pair<int, const char*> otherLine() const;
+    /// Where the selected ray was followed and returned; 0: unknown, or not yet.
+    int followLine() const;
     int returnLine() const;
 };
 

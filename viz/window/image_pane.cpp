@@ -38,7 +38,7 @@ bool ImagePane::update(unsigned changes)
         picture = shownPicture(controller);
         if (isPlaced()) placed();
     }
-    return changes & (changedPicture | changedPass | changedTree);
+    return changes & (changedPicture | changedPass | changedTree | changedShare);
 }
 
 void ImagePane::placed()
@@ -110,6 +110,12 @@ void ImagePane::paint(Canvas& canvas)
         }
         canvas.frame({cx - half, cy - half, 2 * half, 2 * half}, std::max(1.0, std::round(canvas.px(1.4))),
                      colorOf(RayRole::camera));
+    }
+    // The picture is not final yet.
+    if (const double done = controller.painted(); done < 1)
+    {
+        canvas.fill({0, 0, double(area.width), canvas.px(3)}, color::line);
+        canvas.fill({0, 0, area.width * done, canvas.px(3)}, color::accent);
     }
     canvas.fill({area.width - canvas.hair(), 0, canvas.hair(), double(area.height)}, color::line);
 }

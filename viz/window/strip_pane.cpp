@@ -98,7 +98,7 @@ double drawKey(Canvas& canvas, double x, double y, const std::string& key, doubl
 
 bool StripPane::update(unsigned changes)
 {
-    return changes & ~(changedHover | changedPicture | changedPass);
+    return changes & ~(changedHover | changedPicture | changedPass | changedShare);
 }
 
 void StripPane::set(int slider, double x)

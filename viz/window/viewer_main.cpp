@@ -56,9 +56,7 @@ const LessonEntry& lessonOf(const std::string& text)
     int number = 0;
     std::from_chars(text.data(), text.data() + text.size(), number);
     if (const auto* lesson = findLesson(number)) return *lesson;
-    std::string known;
-    for (const auto* lesson : lessons()) known += fmt::format("{}{}", known.empty() ? "" : ", ", lesson->number);
-    throw UsageError("N", fmt::format("there is no lesson {}; there are {}", text, known));
+    throw UsageError("N", whyNoLesson(number));
 }
 
 std::array<int, 2> windowSize(const std::string& text)
@@ -167,7 +165,7 @@ Session chooseSession(ViewerOptions options, std::string& problem)
              {growthWarning(session.scene, lesson->models), cutoffWarning(session.scene, lesson->models)})
             if (!warning.empty()) std::cerr << warning << '\n';
         session.source = lessonSource(*lesson, options.precision());
-        session.render.progress = progressBar(fmt::format("lesson {:02}", lesson->number));
+        if (options.isHeadless()) session.render.progress = progressBar(fmt::format("lesson {:02}", lesson->number));
     }
     else
         session.source = tracerSource(options.tracer);
@@ -365,6 +363,7 @@ int view(const ViewerOptions& options)
     constexpr std::chrono::milliseconds tillRecorded{2000};
     watchInterrupt(options.record.empty() ? AfterInterrupt() : AfterInterrupt{.patience = tillRecorded});
     session.render.stop = &interrupted();
+    session.paintsLater = !options.isHeadless();
     Controller controller(std::move(session));
     if (options.isHeadless()) controller.wait();
     if (interrupted()) return sayInterrupted();
