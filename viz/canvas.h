@@ -56,7 +56,8 @@ private:
     double scale;
     vtkNew<vtkTextProperty> property;
 
-    void apply(const TextLook& look);
+    void apply(const TextLook& look, int otherFont = -1);
+    double runWidth(const FontRun& run, const TextLook& look);
     void brush(const Rgba& color);
 };
 

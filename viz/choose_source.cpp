@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "common/image.h"
+#include "common/program.h"
 #include "lessons/registry.h"
 #include "viz/tracer_source.h"
 
@@ -57,7 +58,7 @@ TreeSource otherSource(const Session& session, const std::string& what, const Le
     if (const auto number = numberAfter(what, "lesson="))
     {
         if (const auto* found = findLesson(*number)) return lessonSource(*found, precision);
-        throw std::runtime_error(fmt::format("--compare {}: there is no lesson {}", what, *number));
+        throw std::runtime_error(fmt::format("--compare {}: {}", what, whyNoLesson(*number)));
     }
     if (fs::path(what).extension() == ".json")
     {
@@ -77,6 +78,25 @@ TreeSource otherSource(const Session& session, const std::string& what, const Le
 }
 
 } // namespace
+
+std::string whyNoLesson(int number)
+{
+    std::string known;
+    for (const auto* lesson : lessons()) known += fmt::format("{}{}", known.empty() ? "" : ", ", lesson->number);
+    const auto start = fmt::format("{:02}_", number);
+    std::error_code none;
+    for (const auto& folder : fs::directory_iterator(projectFile("lessons"), none))
+        if (auto name = folder.path().filename().string(); name.starts_with(start))
+        {
+            name.erase(0, start.size());
+            std::replace(name.begin(), name.end(), '_', ' ');
+            return fmt::format(
+                "lesson {0} ({1}) is a {2} without a tracer to step through: ./raytree lesson {0} shows it; "
+                "the viewer has {3}",
+                number, name, number == 0 ? "tutorial" : "study", known);
+        }
+    return fmt::format("there is no lesson {}; there are {}", number, known);
+}
 
 void compareWith(Session& session, const std::string& what, const LessonEntry& lesson, Precision precision)
 {

@@ -11,4 +11,7 @@ namespace rt::viz
 /// `precision`. Throws std::runtime_error with one sentence.
 void compareWith(Session& session, const std::string& what, const LessonEntry& lesson, Precision precision);
 
+/// Why the viewer has no tracer of a lesson; a study is told from a number that does not exist. One sentence.
+std::string whyNoLesson(int number);
+
 } // namespace rt::viz

@@ -333,7 +333,8 @@ void Controller::setMaxDepth(int depth)
 {
     depth = std::clamp(depth, 0, deepestCap);
     if (depth == maxDepth()) return;
-    if (session.source.isFixed) return say(session.source.title + " holds one tree, traced already: no other depth can be chosen");
+    if (session.source.isFixed)
+        return say(session.source.title + " holds one tree, traced already: no other depth can be chosen");
     chosenDepth = depth;
     session.scene.trace.maxDepth = depth;
     paintPicture();

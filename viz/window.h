@@ -99,6 +99,7 @@ private:
     std::vector<Pane*> late; // to be drawn, but there was more to do first
     Clock::time_point lastStep, saidAt;
 
+    void name();
     LayoutWishes wishes() const;
     void layOut();
     void resized();
