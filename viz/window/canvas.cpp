@@ -15,9 +15,19 @@
 namespace rt::viz
 {
 
-void Canvas::apply(const TextLook& look)
+namespace
 {
-    useFont(property, look.font);
+
+bool isPlain(const std::string& text)
+{
+    return std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+}
+
+} // namespace
+
+void Canvas::apply(const TextLook& look, int otherFont)
+{
+    useFont(property, look.font, otherFont);
     property->SetFontSize(std::max(6, int(std::lround(px(look.size)))));
     property->SetColor(look.color.r / 255.0, look.color.g / 255.0, look.color.b / 255.0);
     property->SetOpacity(look.color.a / 255.0);
@@ -29,9 +39,22 @@ void Canvas::apply(const TextLook& look)
 double Canvas::text(double x, double y, const std::string& text, const TextLook& look)
 {
     if (text.empty()) return 0;
-    apply(look);
-    context->DrawString(float(std::round(x)), float(std::round(y)), vtkStdString(text));
+    const auto runs = isPlain(text) ? std::vector<FontRun>{{-1, text}} : fontRuns(text, look.font);
+    for (const auto& run : runs)
+    {
+        apply(look, run.other);
+        context->DrawString(float(std::round(x)), float(std::round(y)), vtkStdString(run.text));
+        if (runs.size() > 1) x += runWidth(run, look);
+    }
     return textWidth(text, look);
+}
+
+double Canvas::runWidth(const FontRun& run, const TextLook& look)
+{
+    apply(look, run.other);
+    float bounds[4] = {0, 0, 0, 0};
+    context->ComputeStringBounds(vtkStdString(run.text), bounds);
+    return double(bounds[2]);
 }
 
 double Canvas::textWidth(const std::string& text, const TextLook& look)
@@ -43,10 +66,10 @@ double Canvas::textWidth(const std::string& text, const TextLook& look)
     const auto [entry, isNew] = known.try_emplace({look.font, px(look.size), text}, 0);
     if (isNew)
     {
-        apply(look);
-        float bounds[4] = {0, 0, 0, 0};
-        context->ComputeStringBounds(vtkStdString(text), bounds);
-        entry->second = double(bounds[2]);
+        if (isPlain(text))
+            entry->second = runWidth({-1, text}, look);
+        else
+            for (const auto& run : fontRuns(text, look.font)) entry->second += runWidth(run, look);
     }
     return entry->second;
 }

@@ -10,9 +10,9 @@
 #include <vtkNew.h>
 #include <vtkTextProperty.h>
 
-#include "viz/window/fonts.h"
 #include "viz/base/palette.h"
 #include "viz/drawing/labels.h"
+#include "viz/window/fonts.h"
 
 namespace rt::viz
 {
@@ -56,7 +56,8 @@ private:
     double scale;
     vtkNew<vtkTextProperty> property;
 
-    void apply(const TextLook& look);
+    void apply(const TextLook& look, int otherFont = -1);
+    double runWidth(const FontRun& run, const TextLook& look);
     void brush(const Rgba& color);
 };
 

@@ -110,8 +110,16 @@ void ChartPane::paintBars(Canvas& canvas, const Energy& energy)
                  bar = std::min(step * 0.36, canvas.px(34));
     const double gap = canvas.px(1);
     TextLook figures{Font::sans, 10.5, color::textDim};
-    const bool isShort = canvas.textWidth("0.97", figures) + 2 * gap > step / 2 ||
-                         canvas.textWidth("97 %", figures) + 2 * gap > step / 2;
+    // As short as the widest pair needs; what is still too wide stands one above the other.
+    const auto weightOf = [](const auto& group) { return largestChannel(group.weight); };
+    const auto shareOf = [&](const auto& group) { return whole > 0 ? luminance(group.gathered) / whole : 0; };
+    const bool isShort = std::any_of(groups.begin(), groups.end(), [&](const auto& group) {
+        return std::max({canvas.textWidth(number(weightOf(group), false), figures),
+                         canvas.textWidth(percent(shareOf(group), false), figures), canvas.textWidth("0.97", figures),
+                         canvas.textWidth("97 %", figures)}) +
+                   2 * gap >
+               step / 2;
+    });
     if (isShort) figures.size = 10;
     const auto* selected = controller.node();
     // One of its numbers may be negative, or not a number: no bar then.
@@ -129,14 +137,25 @@ void ChartPane::paintBars(Canvas& canvas, const Energy& energy)
             canvas.roundedBox({left + canvas.px(1), canvas.px(4), step - canvas.px(2), high + base + canvas.px(10)},
                               canvas.px(5), color::panelRaised);
 
-        const double weight = largestChannel(group.weight), share = whole > 0 ? luminance(group.gathered) / whole : 0;
-        const auto column = [&](double x, double part, const Rgba& ink, const std::string& text) {
-            canvas.fill({std::round(x), base, std::round(bar), length(part)}, ink);
-            canvas.text(x + (bar - canvas.textWidth(text, figures)) / 2, base + length(part) + canvas.px(8), text,
-                        figures);
-        };
-        column(middle - bar - gap, weight / heaviest, weightColor(), number(weight, isShort));
-        column(middle + gap, share, color::accent, percent(share, isShort));
+        const double share = shareOf(group), lines = canvas.px(12);
+        const double weight = length(weightOf(group) / heaviest), light = length(share);
+        canvas.fill({std::round(middle - bar - gap), base, std::round(bar), weight}, weightColor());
+        canvas.fill({std::round(middle + gap), base, std::round(bar), light}, color::accent);
+        const auto weightText = number(weightOf(group), isShort), lightText = percent(share, isShort);
+        const double weightWide = canvas.textWidth(weightText, figures),
+                     lightWide = canvas.textWidth(lightText, figures);
+        const double x1 = std::max(middle - gap - (bar + weightWide) / 2, left);
+        const double x2 = std::min(middle + gap + (bar - lightWide) / 2, left + step - lightWide);
+        double y1 = base + weight + canvas.px(8), y2 = base + light + canvas.px(8);
+        if (x1 + weightWide + gap > x2)
+        {
+            // Neither over the other, nor over the other's bar.
+            auto& upper = weight < light ? y2 : y1;
+            auto& lower = weight < light ? y1 : y2;
+            if (upper - lower < lines) upper = lower + lines;
+        }
+        canvas.text(x1, y1, weightText, figures);
+        canvas.text(x2, y2, lightText, figures);
 
         const auto depth = fmt::format("{}{}", isTail ? "≥ " : "", group.depth);
         const TextLook look{isChosen ? Font::bold : Font::sans, 11.5, isChosen ? color::text : color::textDim};

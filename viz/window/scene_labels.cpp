@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "viz/drawing/lamps.h"
 #include "viz/drawing/object_meshes.h"
 
 namespace rt::viz
@@ -33,6 +34,8 @@ public:
     Labels(Canvas& painter, const OverlayInput& given)
         : canvas(painter), input(given), projector(given.view, given.width, given.height)
     {
+        const auto* node = given.controller.node();
+        lamps = namedLamps(given.controller.scene(), node && node->hit ? node->hit->point : given.objects.centre);
         for (const auto& segment : input.drawing.segments)
         {
             const auto line = projector.segment(segment.from, segment.to);
@@ -71,6 +74,7 @@ private:
     std::vector<std::array<vec2, 2>> lines;
     std::vector<int> lineOf; // of each segment; -1: it is behind the viewer
     std::vector<Label> labels;
+    std::vector<bool> lamps; // that are named
 
     void draw(const Label& label, const Box& box)
     {
@@ -106,8 +110,8 @@ private:
     void addLights()
     {
         const auto& lights = input.controller.scene().lights;
-        for (std::size_t i = 0; i < lights.size() && i < 12; ++i)
-            if (const auto at = lightAnchor(int(i)))
+        for (std::size_t i = 0; i < lights.size(); ++i)
+            if (const auto at = lamps[i] ? lightAnchor(int(i)) : std::nullopt)
             {
                 auto& label = add(fmt::format("light {}", i), {Font::sans, 12.5, color::text}, 80);
                 label.plate = color::dark.withAlpha(0.55);
@@ -149,6 +153,8 @@ private:
             const auto& segment = input.drawing.segments[i];
             if (lineOf[i] < 0 || segment.role == RayRole::beyond) continue;
             if (segment.role == RayRole::normal && !input.controller.showsNormals()) continue;
+            if (segment.light >= 0 && std::size_t(segment.light) < lamps.size() && !lamps[std::size_t(segment.light)])
+                continue;
             const bool chosen = segment.node == selected;
             const bool isCrowded = input.drawing.nodes > crowded;
             if (!chosen && isCrowded && !isRay(segment.role)) continue;

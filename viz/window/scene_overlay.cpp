@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "viz/drawing/lamps.h"
 #include "viz/window/scene_labels.h"
 
 namespace rt::viz
@@ -147,13 +148,17 @@ void paintSceneOverlay(Canvas& canvas, const OverlayInput& input)
 {
     input.labels.legend = drawLegend(canvas, input);
     std::vector<Box> taken{input.labels.legend, drawAxes(canvas, input)};
-    if (const auto all = input.controller.tree().nodes.size(); std::size_t(input.drawing.nodes) < all)
-    {
-        const auto note = fmt::format("{} of {} rays are drawn", input.drawing.nodes, all);
+    // What is left out, at the upper left.
+    double y = input.height - canvas.px(20);
+    const auto note = [&](const std::string& text) {
         const TextLook look{Font::sans, 12.5, color::textDim};
-        const double y = input.height - canvas.px(20);
-        taken.push_back({canvas.px(14), y - canvas.px(10), canvas.text(canvas.px(16), y, note, look), canvas.px(20)});
-    }
+        taken.push_back({canvas.px(14), y - canvas.px(10), canvas.text(canvas.px(16), y, text, look), canvas.px(20)});
+        y -= canvas.px(20);
+    };
+    if (const auto all = input.controller.tree().nodes.size(); std::size_t(input.drawing.nodes) < all)
+        note(fmt::format("{} of {} rays are drawn", input.drawing.nodes, all));
+    if (const auto all = input.controller.scene().lights.size(); all > mostNamedLamps)
+        note(fmt::format("{} of {} lamps are named: the strongest here", mostNamedLamps, all));
     paintLabels(canvas, input, taken);
 }
 

@@ -26,12 +26,13 @@ constexpr int patchSide = 768;       // pixels of a plane's picture
 constexpr double frameWidth = 0.006; // of the objects' extent
 constexpr int planePicture = 1024;   // largest side of the picture on the image plane
 
-vtkSmartPointer<vtkActor> glowActor(const SceneDescription& scene, double radius)
+/// `origin`: near the scene. This mapper counts in float, so places are told from there.
+vtkSmartPointer<vtkActor> glowActor(const SceneDescription& scene, const vec3& origin, double radius)
 {
     Mesh centres;
     for (const auto& light : scene.lights)
     {
-        centres.points.push_back(light.position);
+        centres.points.push_back(light.position - origin);
         centres.normals.emplace_back(0, 1, 0);
         centres.colors.push_back(lightColor(light));
     }
@@ -47,6 +48,7 @@ vtkSmartPointer<vtkActor> glowActor(const SceneDescription& scene, double radius
     mapper->SetTriangleScale(1.6F);
     auto actor = vtkSmartPointer<vtkActor>::New();
     actor->SetMapper(mapper);
+    actor->SetPosition(origin.x, origin.y, origin.z);
     actor->GetProperty()->LightingOff();
     actor->ForceTranslucentOn();
     return actor;
@@ -157,7 +159,7 @@ void ScenePane::buildLights()
     const auto& scene = controller.scene();
     const double radius = lightRadius(drawing);
     renderer()->AddActor(meshActor(lightMesh(scene, radius), Finish::plain));
-    if (!scene.lights.empty()) renderer()->AddActor(glowActor(scene, 7 * radius));
+    if (!scene.lights.empty()) renderer()->AddActor(glowActor(scene, objects.centre, 7 * radius));
 
     renderer()->SetAutomaticLightCreation(false);
     renderer()->RemoveAllLights();
@@ -267,10 +269,10 @@ bool ScenePane::update(unsigned changes)
     }
     if (changes & changedTree) labels.places.clear();
     if (changes & changedTree) drawing = drawRays(controller.tree(), controller.scene(), objects);
-    if (!(changes & ~(changedPicture | changedPass | changedHover | changedMessage)))
+    if (!(changes & ~(changedPicture | changedPass | changedHover | changedMessage | changedShare)))
         return (changes & changedPicture) != 0;
     rebuildRays();
-    if ((changes & changedTree) && isPlaced() && isFittedWithoutRays && drawing.nodes > 0) fitScene();
+    if ((changes & changedTree) && isPlaced() && fitted && fitted->withoutRays && drawing.nodes > 0) fitScene();
     renderer()->ResetCameraClippingRange();
     return true;
 }
@@ -278,19 +280,32 @@ bool ScenePane::update(unsigned changes)
 /// Only a pane that has a size can choose its view: at the start the cheat sheet may stand in its place.
 void ScenePane::placed()
 {
-    if (isPlaced() && !isFitted) fitScene();
+    if (!isPlaced()) return;
+    if (!isFitted)
+        fitScene();
+    else if (fitted)
+        lookAtFitted();
 }
 
 void ScenePane::fitScene()
 {
     isFitted = true;
-    isFittedWithoutRays = drawing.nodes == 0;
     const vec3 towards = bestDirection(drawing, controller.scene()), up = controller.scene().camera.up;
-    const View all = fitView(shownPoints(true), towards, up, aspect());
-    const View close = fitView(shownPoints(false), towards, up, aspect());
+    auto everything = shownPoints(true), nearby = shownPoints(false);
+    const View all = fitView(everything, towards, up, aspect()), close = fitView(nearby, towards, up, aspect());
     // Lights far from everything else may lie outside: the shadow rays point to them.
     const auto distance = [&](const View& view) { return glm::length(view.position - objects.centre); };
-    look(distance(all) > 1.2 * distance(close) ? close : all);
+    const bool withLights = !(distance(all) > 1.2 * distance(close));
+    fitted = {std::move(withLights ? everything : nearby), towards, false, drawing.nodes == 0};
+    lookAtFitted();
+}
+
+void ScenePane::lookAtFitted()
+{
+    Margins margins;
+    if (fitted->aboveLegend)
+        margins.bottom = std::clamp((labels.legend.y + labels.legend.height) / area.height + 0.03, margins.bottom, 0.4);
+    look(fitView(fitted->points, fitted->towards, controller.scene().camera.up, aspect(), margins));
 }
 
 /// What is shown now, into what the legend leaves free.
@@ -304,9 +319,8 @@ void ScenePane::fitRays()
     for (const vec3& axis : {vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1)})
         for (const double sign : {-0.4, 0.4}) points.push_back(rays.centre + sign * objects.radius * axis);
     const View now = view();
-    Margins margins;
-    margins.bottom = std::clamp((labels.legend.y + labels.legend.height) / area.height + 0.03, margins.bottom, 0.4);
-    look(fitView(points, unit(now.position - now.focal), controller.scene().camera.up, aspect(), margins));
+    fitted = {std::move(points), unit(now.position - now.focal), true, false};
+    lookAtFitted();
 }
 
 void ScenePane::look(const View& view)
@@ -348,7 +362,7 @@ void ScenePane::viewChanged()
 
 bool ScenePane::wheel(int, int, bool forward)
 {
-    isFittedWithoutRays = false;
+    fitted.reset();
     renderer()->GetActiveCamera()->Dolly(forward ? 1.15 : 1 / 1.15);
     viewChanged();
     return true;
@@ -371,7 +385,7 @@ std::array<double, 13> ScenePane::seenFrom()
 void ScenePane::setMoving(bool moving)
 {
     renderer()->SetUseFXAA(!moving);
-    isFittedWithoutRays = false;
+    fitted.reset();
 }
 
 bool ScenePane::click(int x, int y)

@@ -33,11 +33,18 @@ public:
 
 private:
     Extent objects;
-    bool isFitted = false;            // the view has been chosen
-    bool isFittedWithoutRays = false; // and neither were there rays then, nor has the user turned it since
-    double lineWidth = 1;             // factor; less than 1 when the viewer is near, more when he is far away
-    RayDrawing drawing;               // of the whole tree
-    RayDrawing visible;               // of the part that is to be seen now
+    /// What the view shows: with another size of the pane it is fitted anew, until the user moves it.
+    struct Fitted
+    {
+        std::vector<vec3> points;
+        vec3 towards{0, 0, 1};
+        bool aboveLegend = false, withoutRays = false;
+    };
+    std::optional<Fitted> fitted;
+    bool isFitted = false; // the view has been chosen
+    double lineWidth = 1;  // factor; less than 1 when the viewer is near, more when he is far away
+    RayDrawing drawing;    // of the whole tree
+    RayDrawing visible;    // of the part that is to be seen now
     ImagePlane screen;
     LabelPlaces labels;
     std::array<double, 13> labelledFrom{};
@@ -56,6 +63,7 @@ private:
     std::vector<vec3> shownPoints(bool withLights) const;
     void rebuildChosenPixel();
     void look(const View& view);
+    void lookAtFitted();
     double fittingLineWidth();
     void setLineWidth(double factor);
     View view();

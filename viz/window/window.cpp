@@ -16,6 +16,7 @@
 #include "common/program/program.h"
 #include "viz/window/pending_input.h"
 #include "viz/window/recording.h"
+#include "viz/window/window_name.h"
 
 namespace rt::viz
 {
@@ -45,7 +46,7 @@ Window::Window(Controller& shown, const WindowPlace& place, bool onScreen)
       chart(shown), strip(shown), help(shown), width(place.width), height(place.height), scale(place.scale),
       dressedFor(shown.look())
 {
-    window->SetWindowName("raytree");
+    name();
     window->SetPosition(place.x, place.y);
     window->SetSize(width, height);
     window->SetMultiSamples(0); // with depth peeling more than 0 loses what is translucent
@@ -89,6 +90,18 @@ Window::~Window()
     controller.changed = nullptr;
     window->RemoveAllObservers();
     if (interactor) interactor->SetInteractorStyle(nullptr);
+}
+
+/// As the desktop lists it: whose rays of what scene these are.
+void Window::name()
+{
+    std::string source = controller.source().title;
+    if (const auto gap = source.find("  "); gap != std::string::npos) source.erase(gap, 1);
+    const auto& scene = controller.scene();
+    const auto shown = scene.title.empty() ? std::filesystem::path(scene.file).filename().string() : scene.title;
+    const auto title = "raytree: " + source + (shown.empty() || shown == source ? "" : ", " + shown);
+    window->SetWindowName(title.c_str());
+    if (interactor) nameWindow(window->GetGenericDisplayId(), window->GetGenericWindowId(), title);
 }
 
 LayoutWishes Window::wishes() const
@@ -135,6 +148,7 @@ void Window::run(const std::string& record)
     auto recorder = vtkSmartPointer<vtkInteractorEventRecorder>::New();
     interactor->Initialize();
     window->Render();
+    name();
     interactor->CreateRepeatingTimer(tickTime);
     if (!record.empty())
     {
@@ -246,6 +260,7 @@ void Window::update(unsigned changes)
 {
     if (controller.look() != dressedFor) dress();
     if (changes & changedMessage) saidAt = Clock::now();
+    if (changes & changedScene) name();
     std::vector<Pane*> some;
     for (auto* pane : panes)
         if (pane->update(changes) && pane->isPlaced()) some.push_back(pane);

@@ -12,13 +12,13 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
 
+#include "viz/base/screen.h"
 #include "viz/window/chart_pane.h"
 #include "viz/window/code_pane.h"
 #include "viz/window/help_pane.h"
 #include "viz/window/image_pane.h"
 #include "viz/window/numbers_pane.h"
 #include "viz/window/scene_pane.h"
-#include "viz/base/screen.h"
 #include "viz/window/strip_pane.h"
 #include "viz/window/style.h"
 #include "viz/window/title_pane.h"
@@ -99,6 +99,7 @@ private:
     std::vector<Pane*> late; // to be drawn, but there was more to do first
     Clock::time_point lastStep, saidAt;
 
+    void name();
     LayoutWishes wishes() const;
     void layOut();
     void resized();
