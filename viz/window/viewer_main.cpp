@@ -389,6 +389,7 @@ int view(const ViewerOptions& options)
     // After the picture, which is not about the files.
     if (!options.exportTo.empty()) exportAndTell(options.exportTo, controller);
     if (!options.isHeadless()) window().run(options.record);
+    if (options.isHeadless()) controller.wait(); // what has been played may have begun another picture
     if (!options.state.empty()) writeTextFile(options.state, stateJson(controller));
     return interrupted() ? sayInterrupted("interrupted") : int(exitDone);
 }
