@@ -197,7 +197,10 @@ const std::vector<CommandKind>& commandKinds()
          {"FILE"},
          "write the state as JSON",
          false,
-         [](const ScriptHost& host, const Words& w) { writeTextFile(w[1], stateJson(host.controller)); }},
+         [](const ScriptHost& host, const Words& w) {
+             if (host.controller.isRefining()) host.controller.wait(); // as for a picture of the window
+             writeTextFile(w[1], stateJson(host.controller));
+         }},
         {"export",
          {"FILE"},
          "write a .json, .vtp, .glb, .gltf or .html file, or all of them into a folder",

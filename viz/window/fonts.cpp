@@ -114,6 +114,13 @@ std::vector<FontRun> fontRuns(const std::string& text, Font font)
         char32_t c = length == 1 ? byte(i) : byte(i) & (0x7F >> length);
         for (int k = 1; k < length; ++k) c = c << 6 | (byte(i + std::size_t(k)) & 0x3F);
         const auto sign = text.substr(i, std::size_t(length));
+        const auto goesOn = [](char byteOfSign) { return (static_cast<unsigned char>(byteOfSign) & 0xC0) == 0x80; };
+        if (sign.size() < std::size_t(length) || !std::all_of(sign.begin() + 1, sign.end(), goesOn) || goesOn(sign[0]))
+        {
+            add(-1, "□"); // no UTF-8
+            for (++i; i < text.size() && goesOn(text[i]);) ++i;
+            continue;
+        }
         const int other = length == 1 ? -1 : fontOf(font, c, sign);
         if (other == standIn)
             add(-1, "□");

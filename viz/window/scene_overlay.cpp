@@ -152,8 +152,11 @@ void paintSceneOverlay(Canvas& canvas, const OverlayInput& input)
     double y = input.height - canvas.px(20);
     const auto note = [&](const std::string& text) {
         const TextLook look{Font::sans, 12.5, color::textDim};
-        taken.push_back({canvas.px(14), y - canvas.px(10), canvas.text(canvas.px(16), y, text, look), canvas.px(20)});
-        y -= canvas.px(20);
+        const Box plate{canvas.px(10), y - canvas.px(11), canvas.textWidth(text, look) + canvas.px(12), canvas.px(22)};
+        canvas.roundedBox(plate, canvas.px(5), color::panel.withAlpha(0.8));
+        canvas.text(canvas.px(16), y, text, look);
+        taken.push_back(plate);
+        y -= canvas.px(24);
     };
     if (const auto all = input.controller.tree().nodes.size(); std::size_t(input.drawing.nodes) < all)
         note(fmt::format("{} of {} rays are drawn", input.drawing.nodes, all));
