@@ -1,7 +1,7 @@
 #include "viz/base/layout.h"
+#include "viz/base/screen.h"
 #include "viz/base/slider.h"
 #include "viz/drawing/picture_view.h"
-#include "viz/base/screen.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

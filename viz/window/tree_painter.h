@@ -1,10 +1,10 @@
 // Draws the ray tree's graph into pixels: all of it but what follows the pointer.
 #pragma once
 
-#include "viz/window/words.h"
-#include "viz/window/raster.h"
 #include "viz/drawing/tree_layout.h"
 #include "viz/state/controller.h"
+#include "viz/window/raster.h"
+#include "viz/window/words.h"
 
 namespace rt::viz
 {

@@ -1,10 +1,10 @@
 // The recursion as a graph: rays as circles, shadow rays as squares, what was not followed as a barred stub.
 #pragma once
 
-#include "viz/window/words.h"
-#include "viz/window/raster.h"
 #include "viz/drawing/tree_layout.h"
 #include "viz/window/pane.h"
+#include "viz/window/raster.h"
+#include "viz/window/words.h"
 
 namespace rt::viz
 {
