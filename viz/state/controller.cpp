@@ -204,9 +204,9 @@ bool Controller::takeScene()
     if (!session.reread) return false;
     try
     {
-        auto changed = session.reread();
-        if (!changed) return false;
-        session.scene = std::move(*changed);
+        auto another = session.reread();
+        if (!another) return false;
+        session.scene = std::move(*another);
     }
     catch (const std::exception& error)
     {

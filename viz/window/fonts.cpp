@@ -78,9 +78,9 @@ bool draws(Font font, int other, const std::string& sign)
     vtkNew<vtkImageData> drawn;
     int used[2] = {0, 0};
     if (!vtkTextRenderer::GetInstance()->RenderString(property, vtkStdString(sign), drawn, used, 72)) return false;
-    const int* size = drawn->GetDimensions();
+    const int* sides = drawn->GetDimensions();
     const auto* pixels = static_cast<const Rgba*>(drawn->GetScalarPointer());
-    return std::any_of(pixels, pixels + size[0] * size[1], [](const Rgba& pixel) { return pixel.a > 0; });
+    return std::any_of(pixels, pixels + sides[0] * sides[1], [](const Rgba& pixel) { return pixel.a > 0; });
 }
 
 constexpr int nothing = -2, standIn = -3;

@@ -97,11 +97,11 @@ void Window::name()
 {
     std::string source = controller.source().title;
     if (const auto gap = source.find("  "); gap != std::string::npos) source.erase(gap, 1);
-    const auto& scene = controller.scene();
-    const auto shown = scene.title.empty() ? std::filesystem::path(scene.file).filename().string() : scene.title;
-    const auto title = "raytree: " + source + (shown.empty() || shown == source ? "" : ", " + shown);
-    window->SetWindowName(title.c_str());
-    if (interactor) nameWindow(window->GetGenericDisplayId(), window->GetGenericWindowId(), title);
+    const auto& of = controller.scene();
+    const auto shown = of.title.empty() ? std::filesystem::path(of.file).filename().string() : of.title;
+    const auto words = "raytree: " + source + (shown.empty() || shown == source ? "" : ", " + shown);
+    window->SetWindowName(words.c_str());
+    if (interactor) nameWindow(window->GetGenericDisplayId(), window->GetGenericWindowId(), words);
 }
 
 LayoutWishes Window::wishes() const
