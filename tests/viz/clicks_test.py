@@ -532,7 +532,7 @@ class Clicks(unittest.TestCase):
     def test_the_window_can_be_resized(self):
         viewer = self.view()
         first = self.rest(viewer)
-        window = subprocess.run(["xdotool", "search", "--name", "^raytree$"], env=self.screen.env, capture_output=True, text=True).stdout.split()[0]
+        window = subprocess.run(["xdotool", "search", "--name", "^raytree: 06 Fresnel, Spheres: one 50%"], env=self.screen.env, capture_output=True, text=True).stdout.split()[0]
         right = (1300, 60, 280, 700)
         self.changes(right, lambda: viewer.do("windowsize", window, 1280, 720), "the smaller window")
         viewer.do("mousemove", 172, 168)  # the middle of the picture now
